@@ -1,0 +1,27 @@
+// Progress and stop: what a caller hands to long work.
+#pragma once
+#include <functional>
+#include <stop_token>
+#include <string_view>
+namespace knotfit {
+
+/// A report on long work. Reports come from the calling thread.
+struct Progress {
+  std::string_view stage;     ///< "read", "features", "size search", "walk down", ...
+  double fraction = -1;       ///< share of the stage done in [0,1]; < 0 where unknown
+  double error = -1;          ///< the error asked for, of the best surface so far; < 0: none yet
+  double tolerance = -1;      ///< < 0: none
+  int size_u = 0, size_v = 0; ///< control points a direction of the surface at hand
+  long fits = 0;              ///< linear fits so far
+};
+
+/// How long work is watched and stopped. Default: silent, never stopped.
+struct Control {
+  std::function<void(const Progress&)> progress;
+  std::stop_token stop;
+  /// Seconds of wall clock after which the best so far is returned with status time_limit;
+  /// 0: no limit, so that a result does not depend on the machine.
+  double time_limit = 0;
+};
+
+}  // namespace knotfit

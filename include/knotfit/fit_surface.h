@@ -1,0 +1,74 @@
+// The whole way in one call: points with parameters in, one checked surface out.
+//
+//   knotfit::FitOptions options;
+//   options.tolerance = {.value = 0.1, .relative = true};   // 0.1 % of the diagonal
+//   knotfit::FitResult result = knotfit::fit_surface(points, options);
+//   if (result.status == knotfit::Status::reached) use(result.surface);
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "knotfit/control.h"
+#include "knotfit/fit_least_squares.h"
+#include "knotfit/points.h"
+#include "knotfit/refine.h"
+#include "knotfit/verify.h"
+namespace knotfit {
+
+struct ToleranceRequest {
+  double value = 0;        ///< > 0
+  bool relative = false;   ///< in % of bounding_diagonal (height fields: of the range of heights)
+  ErrorMeasure measure = ErrorMeasure::max;
+  double share = 1;        ///< of the points, for ErrorMeasure::percentile
+};
+
+struct FitOptions {
+  std::optional<ToleranceRequest> tolerance;
+  /// A fixed size in control points (u, v); 0: sizes are searched to the tolerance.
+  int control_points_u = 0, control_points_v = 0;
+  /// Interior knots given; their size is fixed by them.
+  std::optional<InteriorKnots> knots;
+  std::string method = "error-model";
+  RefineRoute route = RefineRoute::search;
+  int degree_u = 3, degree_v = 3;
+  Index max_control_points = 0;
+  long max_fits = 3000;
+  double smoothing = 1e-9;
+  FeatureMeasure feature = FeatureMeasure::hessian;
+  FeatureMap user_features;
+  bool between = true;     ///< measure the honest numbers between the data
+};
+
+struct FitResult {
+  Status status = Status::not_run;
+  std::string message;         ///< the status in a sentence, with its figures
+  Surface surface;             ///< in the data's own coordinates, over [0,1]^2
+  ParameterMap map;            ///< to the user's parameters
+  bool height_field = false;
+  double tolerance = 0;        ///< absolute; 0: none asked
+  Tolerance asked;             ///< absolute value, measure, share
+  double diagonal = 0;         ///< the unit of a relative tolerance
+  double measured = 0;         ///< the error that counts, rechecked
+  bool reached = false;        ///< verdict from the rechecked residuals
+  std::vector<double> errors;  ///< n, rechecked, input order
+  ErrorSummary error;
+  double condition = 0;
+  double smoothing = 0;
+  Index empty_cells = 0;
+  double recheck_difference = 0;  ///< largest |rechecked - fitted| error
+  BetweenReport between;
+  std::string method;          ///< placement method, or "given"
+  double criterion = 0;        ///< E(U,V), where the method has one
+  std::vector<SizeTried> tried;
+  long fits = 0;
+  double noise = 0;            ///< estimated from the data; 0: none found
+  std::vector<std::string> notes;  ///< what a user should know, a sentence each
+};
+
+/// Validates, centres and scales, places knots or searches sizes, fits, rechecks, measures between.
+/// \throws InvalidInput  see validate(), FitOptions; names what to change
+FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& options,
+                      const Control& control = {});
+
+}  // namespace knotfit

@@ -1,0 +1,65 @@
+// Where the knots go. One method is one file of src/place/ and one line of methods.cpp.
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "knotfit/control.h"
+#include "knotfit/features.h"
+#include "knotfit/points.h"
+#include "knotfit/tolerance.h"
+namespace knotfit {
+
+/// Interior knots of both directions, increasing in (0,1).
+struct InteriorKnots {
+  std::vector<double> u, v;
+  bool operator==(const InteriorKnots&) const = default;
+};
+
+struct PlacementOptions {
+  int interior_u = 8, interior_v = 8;  ///< interior knots wanted, >= 0
+  int degree_u = 3, degree_v = 3;      ///< 1 to 9
+  double smoothing = 1e-9;             ///< of the fits a method makes, as LeastSquaresOptions
+  double stop = 1e-5;                  ///< criterion: largest knot move of a sweep that ends it
+  int sweeps = 100;                    ///< criterion: at most
+  int rounds = 12;                     ///< error model: rounds at the counts wanted
+  FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
+  FeatureMap user_features;            ///< used in place of `feature` where not empty
+  ErrorMeasure keep_by = ErrorMeasure::rms;  ///< error model: the round kept has the least of this
+};
+
+enum class PlacementStatus { not_run, converged, limit, stopped };
+struct Placement {
+  InteriorKnots knots;
+  PlacementStatus status = PlacementStatus::not_run;
+  double criterion = 0;   ///< E(U,V) reached (sum of squared shares); 0 where a method has none
+  double criterion_start = 0;  ///< E(U,V) of its start
+  long fits = 0;          ///< linear fits made
+};
+
+/// A row of the table of methods.
+struct PlacementMethod {
+  std::string_view name;     ///< as in --knots
+  std::string_view summary;  ///< one line
+  std::string_view source;   ///< paper, section
+};
+/// Every method there is, in the order of the docs.
+std::span<const PlacementMethod> placement_methods();
+
+/// Places knots by the method of that name.
+/// \throws InvalidInput  an unknown name (lists those there are), options out of range
+Placement place_knots(std::string_view method, const ParameterizedPoints& points,
+                      const PlacementOptions& options = {}, const Control& control = {});
+
+/// The cell criterion E(U,V) = sum_ij F_ij^2, F_ij the share of f in cell ij [Zhang16; METHOD 2.2].
+double cell_criterion(const FeatureMap& features, const InteriorKnots& knots);
+/// Coordinate descent on it from `start`: exact minimum over each knot in turn, E never rises;
+/// ends where no single knot lowers it, or after `sweeps`.
+Placement descend_criterion(const FeatureMap& features, InteriorKnots start, double stop = 1e-5,
+                            int sweeps = 100);
+/// Equal shares of the marginals of f.
+InteriorKnots equal_share(const FeatureMap& features, int interior_u, int interior_v);
+
+}  // namespace knotfit

@@ -1,0 +1,69 @@
+// To a tolerance: the fewest control points that hold it.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "knotfit/control.h"
+#include "knotfit/fit_least_squares.h"
+#include "knotfit/place.h"
+#include "knotfit/tolerance.h"
+namespace knotfit {
+
+enum class RefineRoute {
+  search,  ///< sizes p x q from the error model, knots placed anew at each [METHOD 4]
+  insert   ///< isolines inserted where features or errors are large, re-optimised [Zhang16]
+};
+
+struct RefineOptions {
+  Tolerance tolerance;
+  RefineRoute route = RefineRoute::search;
+  std::string method = "error-model";  ///< placement method of the size search
+  int degree_u = 3, degree_v = 3;
+  /// Most control points; 0: half of the points, and for scattered data at most 50 000.
+  Index max_control_points = 0;
+  /// Most linear fits of one search. Budgets count fits, never seconds, so that a result does not
+  /// depend on the machine.
+  long max_fits = 3000;
+  double smoothing = 1e-9;
+  FeatureMeasure feature = FeatureMeasure::hessian;
+  FeatureMap user_features;
+  double noise = 0;   ///< standard deviation of the noise in the data, where known
+};
+
+/// How a result stands to what was asked. Names as printed by to_string.
+enum class Status {
+  not_run,
+  fixed_size,          ///< no tolerance asked
+  reached,             ///< the tolerance holds at the points
+  not_reached,         ///< a fixed size or given knots do not hold the tolerance
+  data_too_sparse,     ///< half as many control points as points, and still above it
+  tolerance_below_noise,  ///< more control points only follow the noise
+  limit_reached,       ///< --max-control-points or the budget of fits used up
+  time_limit,          ///< --time-limit cut it short
+  stopped,             ///< the caller's stop token
+  failed               ///< a surface that is not finite, or whose recheck differs
+};
+std::string_view to_string(Status status);
+
+/// One size tried.
+struct SizeTried {
+  int size_u = 0, size_v = 0;   ///< control points
+  double error = 0;             ///< the error that counts
+  bool holds = false;
+};
+
+struct RefineResult {
+  Status status = Status::not_run;
+  InteriorKnots knots;          ///< of the best surface: the smallest that holds, else the least error
+  double error = 0;             ///< the error that counts, there
+  long fits = 0;
+  std::vector<SizeTried> tried; ///< in order
+  InteriorKnots metric;         ///< fine error-model knots (for BetweenOptions); may be empty
+};
+
+/// \throws InvalidInput  tolerance <= 0 or not finite, or below rounding of the data; unknown method
+RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,
+                                 const Control& control = {});
+
+}  // namespace knotfit

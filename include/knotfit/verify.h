@@ -1,0 +1,56 @@
+// A result checked on paths of its own: residuals that share no code with the fit, and the
+// honest numbers between the data.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "knotfit/control.h"
+#include "knotfit/points.h"
+#include "knotfit/surface.h"
+namespace knotfit {
+
+/// Errors |S(u_k,v_k) - P_k| of every point by de Boor's algorithm on the control net
+/// [deBoor01], apart from the fit's and the library's own evaluation.
+/// \return n errors in input order; an entry is NaN where the surface is not finite there
+std::vector<double> recheck_errors(const Surface& surface, const ParameterizedPoints& points);
+
+struct BetweenOptions {
+  Index random_places = 3000;    ///< uniformly random in the domain
+  Index gap_places = 1000;       ///< the widest gaps and border places
+  unsigned long long seed = 1;
+  /// Interior knots (u, v) of an error-model net: the second metric where the first is unsure;
+  /// empty: none.
+  std::vector<double> metric_u, metric_v;
+};
+
+/// A place where the data is too thin to promise anything.
+struct ThinPlace {
+  double u = 0, v = 0;
+  double error_bar = 0;          ///< e of the local reference there; infinity where it has none
+  double gap = 0;                ///< distance to the nearest point over the radius of its neighbours
+};
+
+/// The surface between the points against a local polyharmonic reference [METHOD 4, "Between the
+/// points"]. Promised: error bar e <= tolerance / 2 and no hole (nearest point within 0.35 h).
+struct BetweenReport {
+  bool measured = false;
+  double between = 0;            ///< max |S - z*| over promised places
+  double bound = 0;              ///< max (|S - z*| + 2 e) over promised places
+  double thin = 0;               ///< share of the domain (random places) not promised
+  double worst_u = 0, worst_v = 0;      ///< where `between` is
+  Index promised = 0, places = 0;
+  double noise = 0;              ///< standard deviation of the noise found, per component; 0: below 0.02 tolerance
+  std::vector<ThinPlace> thin_places;   ///< all places tried that are not promised
+};
+
+/// \param tolerance  > 0, absolute
+BetweenReport measure_between(const Surface& surface, const ParameterizedPoints& points,
+                              double tolerance, const BetweenOptions& options = {},
+                              const Control& control = {});
+
+/// Standard deviation of the noise in the values, by restricted likelihood of a nugget on random
+/// local stencils (median) [METHOD 4, "Noise"]; 0 where there are too few points to tell.
+double estimate_noise(const ParameterizedPoints& points, unsigned long long seed = 1);
+
+}  // namespace knotfit

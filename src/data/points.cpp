@@ -1,0 +1,83 @@
+#include "knotfit/points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "knotfit/errors.h"
+namespace knotfit {
+namespace {
+
+std::string place(const ParameterizedPoints& points, Index k) {
+  return points.source.empty() ? fmt::format("point {}", k)
+                               : fmt::format("point {} (line {})", k, points.source[k]);
+}
+
+}  // namespace
+
+void validate(const ParameterizedPoints& points) {
+  const Index n = points.size();
+  if (points.dimension < 1)
+    throw InvalidInput(fmt::format("points of dimension {}: it must be at least 1", points.dimension));
+  if (n == 0) throw InvalidInput("no points to fit");
+  if (points.uv.size() % 2 != 0 || points.values.size() != static_cast<std::size_t>(n * points.dimension))
+    throw InvalidInput(fmt::format("{} parameters for {} values of dimension {}: one (u, v) a point is needed",
+                                   points.uv.size(), points.values.size(), points.dimension));
+  if (!points.weights.empty() && points.weights.size() != static_cast<std::size_t>(n))
+    throw InvalidInput(fmt::format("{} weights for {} points", points.weights.size(), n));
+  for (Index k = 0; k < n; ++k) {
+    const double u = points.u(k), v = points.v(k);
+    if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1))
+      throw InvalidInput(fmt::format("{} has parameters ({}, {}), outside [0,1]; rescale the parameters",
+                                     place(points, k), u, v));
+    for (int d = 0; d < points.dimension; ++d)
+      if (!std::isfinite(points.value(k)[d]))
+        throw InvalidInput(fmt::format("{} has a value that is not finite", place(points, k)));
+    if (!points.weights.empty() && !(points.weights[k] > 0 && std::isfinite(points.weights[k])))
+      throw InvalidInput(fmt::format("{} has weight {}: weights must be positive and finite",
+                                     place(points, k), points.weights[k]));
+  }
+}
+
+double bounding_diagonal(const ParameterizedPoints& points) {
+  double sum = 0;
+  for (int d = 0; d < points.dimension; ++d) {
+    double low = INFINITY, high = -INFINITY;
+    for (Index k = 0; k < points.size(); ++k) {
+      low = std::min(low, points.value(k)[d]);
+      high = std::max(high, points.value(k)[d]);
+    }
+    sum += (high - low) * (high - low);
+  }
+  return points.size() > 0 ? std::sqrt(sum) : 0;
+}
+
+GridLayout find_grid(const ParameterizedPoints& points) {
+  const Index n = points.size();
+  GridLayout grid;
+  auto lines = [&](int axis) {
+    std::vector<double> t(static_cast<std::size_t>(n));
+    for (Index k = 0; k < n; ++k) t[k] = points.uv[2 * k + axis];
+    std::sort(t.begin(), t.end());
+    t.erase(std::unique(t.begin(), t.end()), t.end());
+    return t;
+  };
+  grid.u = lines(0);
+  if (n % static_cast<Index>(grid.u.size()) != 0 || grid.u.size() < 2) return {};
+  grid.v = lines(1);
+  const Index size_v = static_cast<Index>(grid.v.size());
+  if (static_cast<Index>(grid.u.size()) * size_v != n || size_v < 2) return {};
+  grid.point.assign(static_cast<std::size_t>(n), -1);
+  for (Index k = 0; k < n; ++k) {
+    const Index i = std::lower_bound(grid.u.begin(), grid.u.end(), points.u(k)) - grid.u.begin();
+    const Index j = std::lower_bound(grid.v.begin(), grid.v.end(), points.v(k)) - grid.v.begin();
+    Index& slot = grid.point[i * size_v + j];
+    if (slot >= 0) return {};
+    slot = k;
+  }
+  return grid;
+}
+
+}  // namespace knotfit
