@@ -1,0 +1,74 @@
+#include "knotfit/surface.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "knotfit/errors.h"
+namespace knotfit {
+
+Surface::Surface(KnotVector knots_u, KnotVector knots_v, int dimension, std::vector<double> net)
+    : knots_u_(std::move(knots_u)),
+      knots_v_(std::move(knots_v)),
+      dimension_(dimension),
+      net_(std::move(net)) {
+  if (knots_u_.degree() == 0 || knots_v_.degree() == 0)
+    throw InvalidInput("a surface needs a knot vector in u and one in v; one of them is empty");
+  if (dimension_ < 1)
+    throw InvalidInput(fmt::format("a surface's dimension is {}; it must be >= 1", dimension_));
+  const std::size_t wanted =
+      static_cast<std::size_t>(size_u() * size_v()) * static_cast<std::size_t>(dimension_);
+  if (net_.size() != wanted)
+    throw InvalidInput(
+        fmt::format("the control net has {} numbers; {} x {} control points of dimension {} need {}",
+                    net_.size(), size_u(), size_v(), dimension_, wanted));
+  const auto bad = std::find_if(net_.begin(), net_.end(), [](double c) { return !std::isfinite(c); });
+  if (bad != net_.end()) {
+    const Index at = (bad - net_.begin()) / dimension_;
+    throw InvalidInput(fmt::format("control point ({}, {}) has the coordinate {}; it must be finite",
+                                   at / size_v(), at % size_v(), *bad));
+  }
+}
+
+double Surface::scale() const {
+  double largest = 0;
+  for (double c : net_) largest = std::max(largest, std::abs(c));
+  return largest;
+}
+
+Surface height_field_in_space(const Surface& height, double x0, double x1, double y0, double y1) {
+  if (height.empty()) throw InvalidInput("the height field is empty");
+  if (height.dimension() != 1)
+    throw InvalidInput(fmt::format("a height field has dimension 1, not {}", height.dimension()));
+  for (double bound : {x0, x1, y0, y1})
+    if (!std::isfinite(bound))
+      throw InvalidInput(fmt::format("the rectangle [{}, {}] x [{}, {}] of the height field must be finite",
+                                     x0, x1, y0, y1));
+  // Greville abscissae reproduce u itself [Piegl97 ch. 9]; both ends come out exact.
+  const auto place = [](double part, double a, double b) { return (1 - part) * a + part * b; };
+  const std::vector<double> u = height.knots_u().greville(), v = height.knots_v().greville();
+  std::vector<double> net;
+  net.reserve(height.net().size() * 3);
+  for (Index i = 0; i < height.size_u(); ++i)
+    for (Index j = 0; j < height.size_v(); ++j) {
+      net.push_back(place(u[i], x0, x1));
+      net.push_back(place(v[j], y0, y1));
+      net.push_back(height.control_point(i, j)[0]);
+    }
+  return Surface(height.knots_u(), height.knots_v(), 3, std::move(net));
+}
+
+Surface transposed(const Surface& s) {
+  if (s.empty()) return s;
+  std::vector<double> net(s.net().size());
+  auto to = net.begin();
+  for (Index j = 0; j < s.size_v(); ++j)
+    for (Index i = 0; i < s.size_u(); ++i) {
+      const auto point = s.control_point(i, j);
+      to = std::copy(point.begin(), point.end(), to);
+    }
+  return Surface(s.knots_v(), s.knots_u(), s.dimension(), std::move(net));
+}
+
+}  // namespace knotfit
