@@ -1,0 +1,23 @@
+# Installs the build twice: everything, and what a system without the shared library would have.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_QUIET)
+  if(result)
+    message(FATAL_ERROR "failed (${result}): ${ARGN}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${STAGE} ${STAGE_STATIC})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${STAGE})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${STAGE_STATIC})
+file(GLOB_RECURSE shared_parts ${STAGE_STATIC}/libknotfit.so* ${STAGE_STATIC}/knotfit-shared*.cmake)
+file(REMOVE ${shared_parts})
+
+file(GLOB_RECURSE files RELATIVE ${STAGE} ${STAGE}/*)
+foreach(wanted include/knotfit/fit_surface.h LICENSE)
+  if(NOT files MATCHES "${wanted}")
+    message(FATAL_ERROR "not installed: ${wanted}")
+  endif()
+endforeach()
+if(HAS_TOOL)
+  run(${STAGE}/bin/knotfit --version)
+endif()

@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""Checks the structure of the sources: structure.py ROOT includes|headers|architecture|length.
+
+includes      every #include of src/, tool/ and include/ points to the left in ORDER
+headers       public headers include the standard library and knotfit/*.h only; no header
+              includes another library
+architecture  docs/architecture.md and src/CMakeLists.txt tell the same order
+length        no source file is longer than 600 lines
+
+Prints every breach as path:line and exits with 1 if there is one. See docs/architecture.md.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# Include order: a file may include from folders of earlier groups and from its own folder.
+ORDER = [
+    ["base"],
+    ["data", "spline"],
+    ["formats", "fit", "verify"],
+    ["parameterize"],
+    ["measure"],
+    ["place"],
+    ["refine"],
+    ["pipeline"],
+    ["report"],
+    ["tool", "python"],
+]
+RANK = {folder: rank for rank, group in enumerate(ORDER) for folder in group}
+
+# The folder that a public header belongs to, which is where its functions are implemented.
+PUBLIC = {
+    "base": ["control", "errors", "index", "threads", "version"],
+    "data": ["interior_knots", "points", "source_data"],
+    "spline": ["basis", "curve", "evaluate", "knot_vector", "surface"],
+    "formats": ["io"],
+    "fit": ["fit_least_squares", "tolerance"],
+    "verify": ["verify"],
+    "parameterize": ["parameterize"],
+    "measure": ["features"],
+    "place": ["place"],
+    "refine": ["refine"],
+    "pipeline": ["fit_surface"],
+    "report": ["picture"],
+}
+OWNER = {header: folder for folder, headers in PUBLIC.items() for header in headers}
+
+STANDARD = set(
+    """algorithm any array atomic barrier bit bitset cassert cctype cerrno cfenv cfloat charconv
+    chrono cinttypes climits clocale cmath compare complex concepts condition_variable coroutine
+    csetjmp csignal cstdarg cstddef cstdint cstdio cstdlib cstring ctime cuchar cwchar cwctype deque
+    exception execution filesystem format forward_list fstream functional future initializer_list
+    iomanip ios iosfwd iostream istream iterator latch limits list locale map memory memory_resource
+    mutex new numbers numeric optional ostream queue random ranges ratio regex scoped_allocator
+    semaphore set shared_mutex source_location span sstream stack stdexcept stop_token streambuf
+    string string_view syncstream system_error thread tuple type_traits typeindex typeinfo
+    unordered_map unordered_set utility valarray variant vector version""".split()
+)
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(<[^>]+>|"[^"]+")')
+MAX_LINES = 600
+
+
+def sources(root, folders, suffixes=(".h", ".cpp")):
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix in suffixes and path.is_file():
+                yield path
+
+
+def included(path):
+    """(line number, name, in angle brackets) of every #include."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match[1][1:-1], match[1][0] == "<"
+
+
+def folder_of(root, path):
+    """The folder of ORDER that a source file belongs to, or None."""
+    parts = path.relative_to(root).parts
+    if parts[0] in ("tool", "python"):
+        return parts[0]
+    if parts[:2] == ("include", "knotfit"):
+        return OWNER.get(path.stem)
+    return parts[1] if parts[0] == "src" and len(parts) > 2 else None
+
+
+def target_of(name):
+    """The folder that an include in quotes leads to, or None."""
+    parts = name.split("/")
+    if len(parts) == 2 and parts[0] == "knotfit":
+        return OWNER.get(Path(parts[1]).stem)
+    return parts[0] if len(parts) > 1 and parts[0] in RANK else None
+
+
+def check_includes(root):
+    for path in sources(root, ["src", "tool", "python", "include"]):
+        where = path.relative_to(root)
+        folder = folder_of(root, path)
+        if folder not in RANK:
+            what = "PUBLIC" if where.parts[0] == "include" else "ORDER"
+            yield f"{where}:1: belongs to no folder of {what} in tests/structure/structure.py"
+            continue
+        for number, name, angle in included(path):
+            if angle:
+                continue
+            target = target_of(name)
+            if folder in ("tool", "python") and (path.parent / name).is_file():
+                continue  # these lie outside src/, so their own headers go by their bare name
+            if target is None:
+                yield f'{where}:{number}: "{name}" is neither "folder/name.h" nor "knotfit/name.h"'
+            elif not any((root / base / name).is_file() for base in ("src", "include", ".")):
+                yield f'{where}:{number}: "{name}" is not there'
+            elif target != folder and RANK[target] >= RANK[folder]:
+                arrow = "right" if RANK[target] > RANK[folder] else "sideways"
+                yield f'{where}:{number}: "{name}" points {arrow}: {folder} -> {target}'
+
+
+def check_headers(root):
+    for path in sources(root, ["include", "src", "tool"], (".h",)):
+        where = path.relative_to(root)
+        public = where.parts[0] == "include"
+        if "#pragma once" not in path.read_text(encoding="utf-8"):
+            yield f"{where}:1: #pragma once is missing"
+        for number, name, angle in included(path):
+            if angle and name not in STANDARD:
+                yield f"{where}:{number}: <{name}> is not of the standard library: .cpp files only"
+            elif public and not angle and not name.startswith("knotfit/"):
+                yield f'{where}:{number}: "{name}" in a public header'
+    for path in sources(root, ["src"]):
+        for number, name, angle in included(path):
+            if angle and name.startswith("CLI/"):
+                yield f"{path.relative_to(root)}:{number}: <{name}> belongs to tool/"
+
+
+def documented_order(text):
+    """The order in the code block of docs/architecture.md that holds '<' between folders."""
+    for block in re.findall(r"```text\n(.*?)```", text, re.S):
+        if "base <" in block:
+            return [[f.strip() for f in group.split(",")] for group in " ".join(block.split()).split("<")]
+    return None
+
+
+def documented_headers(text):
+    """Folder -> public headers, from the rows `| `src/x/` | ... | `a.h` `b.h` |` of the table."""
+    table = {}
+    for folder, headers in re.findall(r"^\| `src/(\w+)/` \|[^|\n]*\|([^|\n]*)\|$", text, re.M):
+        table[folder] = sorted(re.findall(r"`(\w+)\.h`", headers))
+    return table
+
+
+def check_architecture(root):
+    document = "docs/architecture.md"
+    text = (root / document).read_text(encoding="utf-8")
+    if documented_order(text) != ORDER:
+        yield f"{document}:1: include order {documented_order(text)}, tests/structure/structure.py has {ORDER}"
+    expected = {folder: sorted(headers) for folder, headers in PUBLIC.items()}
+    actual = documented_headers(text)
+    for folder in sorted(expected.keys() | actual.keys()):
+        if expected.get(folder) != actual.get(folder):
+            yield (f"{document}:1: public headers of src/{folder}/ {actual.get(folder)}, "
+                   f"tests/structure/structure.py has {expected.get(folder)}")
+    cmake = "src/CMakeLists.txt"
+    match = re.search(r"foreach\(folder ([^)]*)\)", (root / cmake).read_text(encoding="utf-8"))
+    listed = match[1].split() if match else []
+    wanted = [f for group in ORDER for f in group if f not in ("tool", "python")]
+    if listed != wanted:
+        yield f"{cmake}:1: folders {listed}, not in the include order {wanted}"
+    for folder in sorted(p.name for p in (root / "src").iterdir() if p.is_dir()):
+        if folder not in wanted:
+            yield f"src/{folder}: not in the include order"
+
+
+def check_length(root):
+    folders = ["src", "tool", "python", "include", "tests", "bench", "examples", "scripts"]
+    for path in sources(root, folders, (".h", ".cpp", ".py", ".cmake")):
+        lines = len(path.read_text(encoding="utf-8").splitlines())
+        if lines > MAX_LINES:
+            yield f"{path.relative_to(root)}:{lines}: longer than {MAX_LINES} lines: two jobs in one file?"
+
+
+CHECKS = {
+    "includes": check_includes,
+    "headers": check_headers,
+    "architecture": check_architecture,
+    "length": check_length,
+}
+
+
+def main(arguments):
+    if len(arguments) != 2 or arguments[1] not in CHECKS:
+        print(__doc__)
+        return 2
+    breaches = list(CHECKS[arguments[1]](Path(arguments[0])))
+    print("\n".join(breaches) if breaches else "nothing wrong")
+    return 1 if breaches else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

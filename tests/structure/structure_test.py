@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""The structure checks find what they are there to find: small trees with one breach each."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import structure
+
+
+class Structure(unittest.TestCase):
+    def breaches(self, check, files):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for name, text in files.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text, encoding="utf-8")
+            return list(check(root))
+
+    def one(self, check, files, *words):
+        found = self.breaches(check, files)
+        self.assertEqual(len(found), 1, found)
+        for word in words:
+            self.assertIn(word, found[0])
+
+    def test_an_arrow_to_the_left_is_right(self):
+        self.assertEqual([], self.breaches(structure.check_includes, {
+            "src/place/a.cpp": '#include <vector>\n#include "fit/b.h"\n#include "place/c.h"\n'
+                               '#include "knotfit/index.h"\n',
+            "src/fit/b.h": "", "src/place/c.h": "", "include/knotfit/index.h": ""}))
+
+    def test_an_arrow_to_the_right_is_found(self):
+        self.one(structure.check_includes,
+                 {"src/fit/a.cpp": '\n#include "place/b.h"\n', "src/place/b.h": ""},
+                 "src/fit/a.cpp:2", "fit -> place", "right")
+
+    def test_a_public_header_counts_as_its_folder(self):
+        self.one(structure.check_includes,
+                 {"src/spline/a.cpp": '#include "knotfit/refine.h"\n', "include/knotfit/refine.h": ""},
+                 "spline -> refine")
+
+    def test_public_headers_keep_the_order_too(self):
+        self.one(structure.check_includes,
+                 {"include/knotfit/surface.h": '#include "knotfit/place.h"\n',
+                  "include/knotfit/place.h": ""},
+                 "include/knotfit/surface.h:1", "spline -> place")
+
+    def test_verify_and_fit_do_not_see_each_other(self):
+        for one, other in [("verify", "fit"), ("fit", "verify")]:
+            self.one(structure.check_includes,
+                     {f"src/{one}/a.cpp": f'#include "{other}/b.h"\n', f"src/{other}/b.h": ""},
+                     f"{one} -> {other}", "sideways")
+
+    def test_an_include_that_names_no_folder_is_found(self):
+        self.one(structure.check_includes,
+                 {"src/fit/a.cpp": '#include "b.h"\n', "src/fit/b.h": ""}, '"b.h"', "neither")
+
+    def test_an_include_of_nothing_is_found(self):
+        self.one(structure.check_includes, {"src/fit/a.cpp": '#include "fit/b.h"\n'}, "not there")
+
+    def test_a_public_header_without_a_folder_is_found(self):
+        self.one(structure.check_includes, {"include/knotfit/new.h": ""}, "new.h", "PUBLIC")
+
+    def test_other_libraries_stay_out_of_headers(self):
+        for folder in ["include/knotfit", "src/fit"]:
+            self.one(structure.check_headers,
+                     {f"{folder}/a.h": "#pragma once\n#include <Eigen/Core>\n"}, "a.h:2", "Eigen/Core")
+
+    def test_a_public_header_includes_no_internal_one(self):
+        self.one(structure.check_headers,
+                 {"include/knotfit/points.h": '#pragma once\n#include "base/narrow.h"\n'}, "base/narrow.h")
+
+    def test_the_command_line_parser_stays_in_the_tool(self):
+        self.one(structure.check_headers, {"src/fit/a.cpp": "#include <CLI/CLI.hpp>\n"}, "tool/")
+
+    def test_a_long_file_is_found(self):
+        self.one(structure.check_length, {"src/fit/a.cpp": "\n" * 601}, "601")
+        self.assertEqual([], self.breaches(structure.check_length, {"src/fit/a.cpp": "\n" * 600}))
+
+    def test_a_wrong_order_in_the_documentation_is_found(self):
+        root = Path(__file__).resolve().parents[2]
+        text = (root / "docs/architecture.md").read_text(encoding="utf-8")
+        cmake = (root / "src/CMakeLists.txt").read_text(encoding="utf-8")
+        good = {"docs/architecture.md": text, "src/CMakeLists.txt": cmake, "src/base/a.h": ""}
+        self.assertEqual([], self.breaches(structure.check_architecture, good))
+        wrong = dict(good, **{"docs/architecture.md": text.replace("base <", "base < report <", 1)})
+        self.one(structure.check_architecture, wrong, "include order")
+        wrong = dict(good, **{"src/CMakeLists.txt": cmake.replace("measure place", "place measure")})
+        self.one(structure.check_architecture, wrong, "src/CMakeLists.txt")
+
+
+if __name__ == "__main__":
+    unittest.main()
