@@ -14,7 +14,6 @@ void basis_functions(const KnotVector& knots, Index span, double x, std::span<do
 /// The same with derivatives up to `order` of any size; those above the degree are zero
 /// [Piegl97 A2.3].
 /// \param values  (order + 1) x (degree + 1), row-major: row r holds the r-th derivatives
-void basis_derivatives(const KnotVector& knots, Index span, double x, int order,
-                       std::span<double> values);
+void basis_derivatives(const KnotVector& knots, Index span, double x, int order, std::span<double> values);
 
 }  // namespace knotfit

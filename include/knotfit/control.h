@@ -7,12 +7,12 @@ namespace knotfit {
 
 /// A report on long work. Reports come from the calling thread.
 struct Progress {
-  std::string_view stage;     ///< "read", "features", "size search", "walk down", ...
-  double fraction = -1;       ///< share of the stage done in [0,1]; < 0 where unknown
-  double error = -1;          ///< the error asked for, of the best surface so far; < 0: none yet
-  double tolerance = -1;      ///< < 0: none
-  int size_u = 0, size_v = 0; ///< control points a direction of the surface at hand
-  long fits = 0;              ///< linear fits so far
+  std::string_view stage;      ///< "read", "features", "size search", "walk down", ...
+  double fraction = -1;        ///< share of the stage done in [0,1]; < 0 where unknown
+  double error = -1;           ///< the error asked for, of the best surface so far; < 0: none yet
+  double tolerance = -1;       ///< < 0: none
+  int size_u = 0, size_v = 0;  ///< control points a direction of the surface at hand
+  long fits = 0;               ///< linear fits so far
 };
 
 /// How long work is watched and stopped. Default: silent, never stopped.

@@ -24,9 +24,8 @@ std::vector<double> evaluate(const Surface& s, std::span<const double> uv, int d
                              int derivative_v = 0);
 
 /// The same on a tensor grid, direction by direction. \return u.size() x v.size() x dimension
-std::vector<double> evaluate_grid(const Surface& s, std::span<const double> u,
-                                  std::span<const double> v, int derivative_u = 0,
-                                  int derivative_v = 0);
+std::vector<double> evaluate_grid(const Surface& s, std::span<const double> u, std::span<const double> v,
+                                  int derivative_u = 0, int derivative_v = 0);
 
 /// Differential geometry at one point of a surface in R^3 [do Carmo].
 struct LocalGeometry {

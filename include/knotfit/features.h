@@ -28,7 +28,6 @@ FeatureMap curvature_features(const Surface& s, Index size = 200);
 FeatureMap residual_features(const ParameterizedPoints& points, const std::vector<double>& errors,
                              Index size = 200);
 /// A value a point given by the user, averaged over each cell, spread likewise.
-FeatureMap point_features(const ParameterizedPoints& points, const std::vector<double>& f,
-                          Index size = 200);
+FeatureMap point_features(const ParameterizedPoints& points, const std::vector<double>& f, Index size = 200);
 
 }  // namespace knotfit

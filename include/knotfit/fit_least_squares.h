@@ -25,7 +25,7 @@ struct LeastSquaresOptions {
 struct ErrorSummary {
   double rms = 0, max = 0, mean = 0;
   double median = 0, p95 = 0, p99 = 0, p995 = 0;  ///< least e with at least that share <= e
-  Index worst = -1;          ///< index of the point with the largest error
+  Index worst = -1;                               ///< index of the point with the largest error
   double worst_u = 0, worst_v = 0;
 };
 /// \throws InvalidInput  no errors, or one is not finite (names its index)
@@ -37,19 +37,18 @@ enum class FitStatus { not_run, solved, singular };
 struct LeastSquaresResult {
   FitStatus status = FitStatus::not_run;
   Surface surface;
-  std::vector<double> errors;      ///< n, |S - P| of each point in input order
+  std::vector<double> errors;  ///< n, |S - P| of each point in input order
   ErrorSummary error;
-  double smoothing = 0;            ///< the absolute lambda used
-  double condition = 0;            ///< 1-norm condition estimate of A^T W A + lambda J; 0: not asked
-  Index empty_cells = 0;           ///< knot cells without a point
-  bool on_grid = false;            ///< solved direction by direction
+  double smoothing = 0;   ///< the absolute lambda used
+  double condition = 0;   ///< 1-norm condition estimate of A^T W A + lambda J; 0: not asked
+  Index empty_cells = 0;  ///< knot cells without a point
+  bool on_grid = false;   ///< solved direction by direction
 };
 
 /// Minimises sum_k w_k |S(u_k,v_k) - P_k|^2 + lambda J(S) over the control points. [METHOD 1]
 /// The same bits for any number of threads.
 /// \throws InvalidInput  points invalid, knots not clamped on [0,1], fewer points than control points
 LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const KnotVector& knots_u,
-                                     const KnotVector& knots_v,
-                                     const LeastSquaresOptions& options = {});
+                                     const KnotVector& knots_v, const LeastSquaresOptions& options = {});
 
 }  // namespace knotfit

@@ -17,10 +17,10 @@
 namespace knotfit {
 
 struct ToleranceRequest {
-  double value = 0;        ///< > 0
-  bool relative = false;   ///< in % of bounding_diagonal (height fields: of the range of heights)
+  double value = 0;       ///< > 0
+  bool relative = false;  ///< in % of bounding_diagonal (height fields: of the range of heights)
   ErrorMeasure measure = ErrorMeasure::max;
-  double share = 1;        ///< of the points, for ErrorMeasure::percentile
+  double share = 1;  ///< of the points, for ErrorMeasure::percentile
 };
 
 struct FitOptions {
@@ -37,14 +37,14 @@ struct FitOptions {
   double smoothing = 1e-9;
   FeatureMeasure feature = FeatureMeasure::hessian;
   FeatureMap user_features;
-  bool between = true;     ///< measure the honest numbers between the data
+  bool between = true;  ///< measure the honest numbers between the data
 };
 
 struct FitResult {
   Status status = Status::not_run;
-  std::string message;         ///< the status in a sentence, with its figures
-  Surface surface;             ///< in the data's own coordinates, over [0,1]^2
-  ParameterMap map;            ///< to the user's parameters
+  std::string message;  ///< the status in a sentence, with its figures
+  Surface surface;      ///< in the data's own coordinates, over [0,1]^2
+  ParameterMap map;     ///< to the user's parameters
   bool height_field = false;
   double tolerance = 0;        ///< absolute; 0: none asked
   Tolerance asked;             ///< absolute value, measure, share
@@ -58,11 +58,11 @@ struct FitResult {
   Index empty_cells = 0;
   double recheck_difference = 0;  ///< largest |rechecked - fitted| error
   BetweenReport between;
-  std::string method;          ///< placement method, or "given"
-  double criterion = 0;        ///< E(U,V), where the method has one
+  std::string method;    ///< placement method, or "given"
+  double criterion = 0;  ///< E(U,V), where the method has one
   std::vector<SizeTried> tried;
   long fits = 0;
-  double noise = 0;            ///< estimated from the data; 0: none found
+  double noise = 0;                ///< estimated from the data; 0: none found
   std::vector<std::string> notes;  ///< what a user should know, a sentence each
 };
 

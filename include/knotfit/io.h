@@ -25,9 +25,10 @@ struct FormatInfo {
 std::span<const FormatInfo> formats();
 
 struct ReadOptions {
-  std::string format;                 ///< empty: by extension, then content
-  std::vector<std::string> columns;   ///< names of the columns of a text file or n x k array: x y z u v w, "-" skips
-  std::optional<double> nodata;       ///< value that stands for a hole (rasters, arrays)
+  std::string format;  ///< empty: by extension, then content
+  std::vector<std::string>
+      columns;  ///< names of the columns of a text file or n x k array: x y z u v w, "-" skips
+  std::optional<double> nodata;  ///< value that stands for a hole (rasters, arrays)
 };
 /// Reads a data file. Memory is taken only once the file's size can hold what its header claims.
 /// \throws FileError  missing, empty, truncated, malformed; names the line or byte
@@ -38,8 +39,8 @@ struct SurfaceDocument {
   Surface surface;
   ParameterMap map;
   bool height_field = false;
-  std::string options;      ///< the options in force, a JSON object as text; empty: none
-  std::string result;       ///< what was measured, a JSON object as text; empty: none
+  std::string options;  ///< the options in force, a JSON object as text; empty: none
+  std::string result;   ///< what was measured, a JSON object as text; empty: none
 };
 /// The documented schema (docs/formats.md); doubles round-trip exactly.
 std::string to_json(const SurfaceDocument& document);
@@ -51,15 +52,13 @@ SurfaceDocument surface_from_json(std::string_view text, const std::string& path
 /// \param force  replace an existing file
 /// \throws FileError  the folder does not exist, the target exists and not force, cannot be opened
 /// \throws WriteError  writing failed (full disk); nothing is left behind
-void write_file(const std::string& path, bool force,
-                const std::function<void(std::ostream&)>& write);
+void write_file(const std::string& path, bool force, const std::function<void(std::ostream&)>& write);
 /// The checks of write_file without writing: for a clear word before long work.
 void check_writable(const std::string& path, bool force);
 
 /// Columns x,y,z,u,v,error (height fields and geometry; x,y left out where there are none), a line
 /// a point in input order. u, v are in the user's parameters.
-void write_residuals(std::ostream& out, const ParameterizedPoints& points,
-                     std::span<const double> errors);
+void write_residuals(std::ostream& out, const ParameterizedPoints& points, std::span<const double> errors);
 /// ESRI ASCII grid, holes as nodata.
 void write_raster(std::ostream& out, const Raster& raster);
 

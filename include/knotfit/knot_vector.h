@@ -20,8 +20,7 @@ class KnotVector {
 
   /// Clamped on [first, last]: end knots of multiplicity degree + 1, interior knots between.
   /// \throws InvalidInput  an interior knot outside (first, last) or decreasing
-  static KnotVector clamped(int degree, std::span<const double> interior, double first = 0,
-                            double last = 1);
+  static KnotVector clamped(int degree, std::span<const double> interior, double first = 0, double last = 1);
   /// Clamped with `interior` equally spaced simple knots.
   static KnotVector uniform(int degree, int interior, double first = 0, double last = 1);
 

@@ -9,17 +9,17 @@
 namespace knotfit {
 
 struct PictureInput {
-  const Surface* surface = nullptr;            ///< height field (dimension 1) or in R^3
-  const ParameterizedPoints* points = nullptr; ///< the data fitted
+  const Surface* surface = nullptr;             ///< height field (dimension 1) or in R^3
+  const ParameterizedPoints* points = nullptr;  ///< the data fitted
   /// One a point: signed S - P for height fields, signed by the normal in R^3; empty: no errors.
   std::vector<double> signed_errors;
-  double tolerance = 0;                        ///< neutral colour within it; 0: none
-  std::string unit;                            ///< of errors, for the legend; may be empty
-  std::string title, subtitle;                 ///< drawn on top
-  std::vector<ThinPlace> thin_places;          ///< hatched in the parameter plane
+  double tolerance = 0;                ///< neutral colour within it; 0: none
+  std::string unit;                    ///< of errors, for the legend; may be empty
+  std::string title, subtitle;         ///< drawn on top
+  std::vector<ThinPlace> thin_places;  ///< hatched in the parameter plane
 };
 struct PictureOptions {
-  int width = 1600, height = 900;   ///< pixels (png) or points (svg, pdf)
+  int width = 1600, height = 900;  ///< pixels (png) or points (svg, pdf)
 };
 /// Draws to a .png, .svg or .pdf file image in memory; `extension` with its dot.
 /// \throws InvalidInput  another extension, or sizes outside 200 to 20000

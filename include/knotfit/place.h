@@ -8,35 +8,31 @@
 
 #include "knotfit/control.h"
 #include "knotfit/features.h"
+#include "knotfit/interior_knots.h"
 #include "knotfit/points.h"
 #include "knotfit/tolerance.h"
 namespace knotfit {
 
-/// Interior knots of both directions, increasing in (0,1).
-struct InteriorKnots {
-  std::vector<double> u, v;
-  bool operator==(const InteriorKnots&) const = default;
-};
-
 struct PlacementOptions {
-  int interior_u = 8, interior_v = 8;  ///< interior knots wanted, >= 0
-  int degree_u = 3, degree_v = 3;      ///< 1 to 9
-  double smoothing = 1e-9;             ///< of the fits a method makes, as LeastSquaresOptions
-  double stop = 1e-5;                  ///< criterion: largest knot move of a sweep that ends it
-  int sweeps = 100;                    ///< criterion: at most
-  int rounds = 12;                     ///< error model: rounds at the counts wanted
+  int interior_u = 8, interior_v = 8;                ///< interior knots wanted, >= 0
+  int degree_u = 3, degree_v = 3;                    ///< 1 to 9
+  double smoothing = 1e-9;                           ///< of the fits a method makes, as LeastSquaresOptions
+  double stop = 1e-5;                                ///< criterion: largest knot move of a sweep that ends it
+  int sweeps = 100;                                  ///< criterion: at most
+  int rounds = 12;                                   ///< error model: rounds at the counts wanted
   FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
-  FeatureMap user_features;            ///< used in place of `feature` where not empty
-  ErrorMeasure keep_by = ErrorMeasure::rms;  ///< error model: the round kept has the least of this
+  FeatureMap user_features;                          ///< used in place of `feature` where not empty
+  ErrorMeasure keep_by = ErrorMeasure::rms;          ///< error model: the round kept has the least of this
+  double good_enough = 0;  ///< error model: no further round once it is at most this
 };
 
 enum class PlacementStatus { not_run, converged, limit, stopped };
 struct Placement {
   InteriorKnots knots;
   PlacementStatus status = PlacementStatus::not_run;
-  double criterion = 0;   ///< E(U,V) reached (sum of squared shares); 0 where a method has none
+  double criterion = 0;        ///< E(U,V) reached (sum of squared shares); 0 where a method has none
   double criterion_start = 0;  ///< E(U,V) of its start
-  long fits = 0;          ///< linear fits made
+  long fits = 0;               ///< linear fits made
 };
 
 /// A row of the table of methods.

@@ -29,7 +29,7 @@ struct ParameterizedPoints {
   std::vector<double> weights;  ///< n, > 0; empty: all 1
   /// Line (files) or index (arrays) of each point in its source, from 1; empty: index + 1.
   std::vector<Index> source;
-  bool height_field = false;    ///< values are z over (x, y) = map of (u, v)
+  bool height_field = false;  ///< values are z over (x, y) = map of (u, v)
   ParameterMap map;
 
   Index size() const { return static_cast<Index>(uv.size()) / 2; }
@@ -48,8 +48,8 @@ double bounding_diagonal(const ParameterizedPoints& points);
 
 /// A tensor grid found in data: every (u_i, v_j) holds exactly one point.
 struct GridLayout {
-  std::vector<double> u, v;      ///< grid lines, increasing
-  std::vector<Index> point;      ///< u.size() x v.size(): the point at (u_i, v_j)
+  std::vector<double> u, v;  ///< grid lines, increasing
+  std::vector<Index> point;  ///< u.size() x v.size(): the point at (u_i, v_j)
   bool empty() const { return u.empty(); }
 };
 

@@ -28,38 +28,38 @@ struct RefineOptions {
   double smoothing = 1e-9;
   FeatureMeasure feature = FeatureMeasure::hessian;
   FeatureMap user_features;
-  double noise = 0;   ///< standard deviation of the noise in the data, where known
+  double noise = 0;  ///< standard deviation of the noise in the data, where known
 };
 
 /// How a result stands to what was asked. Names as printed by to_string.
 enum class Status {
   not_run,
-  fixed_size,          ///< no tolerance asked
-  reached,             ///< the tolerance holds at the points
-  not_reached,         ///< a fixed size or given knots do not hold the tolerance
-  data_too_sparse,     ///< half as many control points as points, and still above it
+  fixed_size,             ///< no tolerance asked
+  reached,                ///< the tolerance holds at the points
+  not_reached,            ///< a fixed size or given knots do not hold the tolerance
+  data_too_sparse,        ///< half as many control points as points, and still above it
   tolerance_below_noise,  ///< more control points only follow the noise
-  limit_reached,       ///< --max-control-points or the budget of fits used up
-  time_limit,          ///< --time-limit cut it short
-  stopped,             ///< the caller's stop token
-  failed               ///< a surface that is not finite, or whose recheck differs
+  limit_reached,          ///< --max-control-points or the budget of fits used up
+  time_limit,             ///< --time-limit cut it short
+  stopped,                ///< the caller's stop token
+  failed                  ///< a surface that is not finite, or whose recheck differs
 };
 std::string_view to_string(Status status);
 
 /// One size tried.
 struct SizeTried {
-  int size_u = 0, size_v = 0;   ///< control points
-  double error = 0;             ///< the error that counts
+  int size_u = 0, size_v = 0;  ///< control points
+  double error = 0;            ///< the error that counts
   bool holds = false;
 };
 
 struct RefineResult {
   Status status = Status::not_run;
-  InteriorKnots knots;          ///< of the best surface: the smallest that holds, else the least error
-  double error = 0;             ///< the error that counts, there
+  InteriorKnots knots;  ///< of the best surface: the smallest that holds, else the least error
+  double error = 0;     ///< the error that counts, there
   long fits = 0;
-  std::vector<SizeTried> tried; ///< in order
-  InteriorKnots metric;         ///< fine error-model knots (for BetweenOptions); may be empty
+  std::vector<SizeTried> tried;  ///< in order
+  InteriorKnots metric;          ///< fine error-model knots (for BetweenOptions); may be empty
 };
 
 /// \throws InvalidInput  tolerance <= 0 or not finite, or below rounding of the data; unknown method

@@ -56,9 +56,9 @@ Surface refine_u(const Surface& s, std::span<const double> added);
 Surface refine_v(const Surface& s, std::span<const double> added);
 
 struct KnotRemoval {
-  Surface surface;     ///< with the knot removed once where error <= tolerance, else unchanged
+  Surface surface;  ///< with the knot removed once where error <= tolerance, else unchanged
   bool removed = false;
-  double error = 0;    ///< bound on the distance the removal moves S by, over the whole domain
+  double error = 0;  ///< bound on the distance the removal moves S by, over the whole domain
 };
 /// Removes one interior knot once if S moves by at most `tolerance` [Piegl97 A5.8, Tiller92].
 KnotRemoval remove_knot_u(const Surface& s, double knot, double tolerance);

@@ -7,9 +7,9 @@ namespace knotfit {
 enum class ErrorMeasure { max, rms, percentile };
 
 struct Tolerance {
-  double value = 0;                          ///< absolute, in the data's unit, > 0
+  double value = 0;  ///< absolute, in the data's unit, > 0
   ErrorMeasure measure = ErrorMeasure::max;
-  double share = 1;                          ///< percentile: share of the points in (0,1), 0.995 = 99.5 %
+  double share = 1;  ///< percentile: share of the points in (0,1), 0.995 = 99.5 %
 };
 
 /// The error that counts: max, RMS, or the quantile at `share`.

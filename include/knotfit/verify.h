@@ -16,8 +16,8 @@ namespace knotfit {
 std::vector<double> recheck_errors(const Surface& surface, const ParameterizedPoints& points);
 
 struct BetweenOptions {
-  Index random_places = 3000;    ///< uniformly random in the domain
-  Index gap_places = 1000;       ///< the widest gaps and border places
+  Index random_places = 3000;  ///< uniformly random in the domain
+  Index gap_places = 1000;     ///< the widest gaps and border places
   unsigned long long seed = 1;
   /// Interior knots (u, v) of an error-model net: the second metric where the first is unsure;
   /// empty: none.
@@ -27,27 +27,26 @@ struct BetweenOptions {
 /// A place where the data is too thin to promise anything.
 struct ThinPlace {
   double u = 0, v = 0;
-  double error_bar = 0;          ///< e of the local reference there; infinity where it has none
-  double gap = 0;                ///< distance to the nearest point over the radius of its neighbours
+  double error_bar = 0;  ///< e of the local reference there; infinity where it has none
+  double gap = 0;        ///< distance to the nearest point over the radius of its neighbours
 };
 
 /// The surface between the points against a local polyharmonic reference [METHOD 4, "Between the
 /// points"]. Promised: error bar e <= tolerance / 2 and no hole (nearest point within 0.35 h).
 struct BetweenReport {
   bool measured = false;
-  double between = 0;            ///< max |S - z*| over promised places
-  double bound = 0;              ///< max (|S - z*| + 2 e) over promised places
-  double thin = 0;               ///< share of the domain (random places) not promised
-  double worst_u = 0, worst_v = 0;      ///< where `between` is
+  double between = 0;               ///< max |S - z*| over promised places
+  double bound = 0;                 ///< max (|S - z*| + 2 e) over promised places
+  double thin = 0;                  ///< share of the domain (random places) not promised
+  double worst_u = 0, worst_v = 0;  ///< where `between` is
   Index promised = 0, places = 0;
-  double noise = 0;              ///< standard deviation of the noise found, per component; 0: below 0.02 tolerance
-  std::vector<ThinPlace> thin_places;   ///< all places tried that are not promised
+  double noise = 0;  ///< standard deviation of the noise found, per component; 0: below 0.02 tolerance
+  std::vector<ThinPlace> thin_places;  ///< all places tried that are not promised
 };
 
 /// \param tolerance  > 0, absolute
-BetweenReport measure_between(const Surface& surface, const ParameterizedPoints& points,
-                              double tolerance, const BetweenOptions& options = {},
-                              const Control& control = {});
+BetweenReport measure_between(const Surface& surface, const ParameterizedPoints& points, double tolerance,
+                              const BetweenOptions& options = {}, const Control& control = {});
 
 /// Standard deviation of the noise in the values, by restricted likelihood of a nugget on random
 /// local stencils (median) [METHOD 4, "Noise"]; 0 where there are too few points to tell.

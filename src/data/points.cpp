@@ -23,8 +23,9 @@ void validate(const ParameterizedPoints& points) {
     throw InvalidInput(fmt::format("points of dimension {}: it must be at least 1", points.dimension));
   if (n == 0) throw InvalidInput("no points to fit");
   if (points.uv.size() % 2 != 0 || points.values.size() != static_cast<std::size_t>(n * points.dimension))
-    throw InvalidInput(fmt::format("{} parameters for {} values of dimension {}: one (u, v) a point is needed",
-                                   points.uv.size(), points.values.size(), points.dimension));
+    throw InvalidInput(
+        fmt::format("{} parameters for {} values of dimension {}: one (u, v) a point is needed",
+                    points.uv.size(), points.values.size(), points.dimension));
   if (!points.weights.empty() && points.weights.size() != static_cast<std::size_t>(n))
     throw InvalidInput(fmt::format("{} weights for {} points", points.weights.size(), n));
   for (Index k = 0; k < n; ++k) {

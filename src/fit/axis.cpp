@@ -1,0 +1,114 @@
+#include "fit/axis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "knotfit/basis.h"
+namespace knotfit {
+namespace {
+
+/// Gauss-Legendre rule of `n` nodes on [-1,1] by Newton on P_n, and P_a at the nodes.
+struct GaussRule {
+  std::vector<double> node, weight, legendre;  ///< legendre: n x n, row-major
+  explicit GaussRule(int n) : node(n), weight(n), legendre(n * n) {
+    std::vector<double> p(n + 1);
+    for (int g = 0; g < n; ++g) {
+      double x = std::cos(M_PI * (g + 0.75) / (n + 0.5)), slope = 1;
+      for (int it = 0; it < 100; ++it) {
+        legendre_values(x, n + 1, p.data());
+        slope = n * (x * p[n] - p[n - 1]) / (x * x - 1);
+        const double step = p[n] / slope;
+        x -= step;
+        if (std::abs(step) < 1e-16) break;
+      }
+      legendre_values(x, n + 1, p.data());
+      slope = n * (x * p[n] - p[n - 1]) / (x * x - 1);
+      node[g] = x;
+      weight[g] = 2 / ((1 - x * x) * slope * slope);
+      std::copy_n(p.begin(), n, legendre.begin() + g * n);
+    }
+  }
+};
+
+const GaussRule& gauss_rule(int degree) {
+  static const auto rules = [] {
+    std::vector<GaussRule> r;
+    for (int m = 0; m <= kMaxDegree; ++m) r.emplace_back(2 * m + 1);
+    return r;
+  }();
+  return rules[degree];
+}
+
+}  // namespace
+
+Axis::Axis(int degree, std::span<const double> interior)
+    : degree_(degree),
+      knots_(KnotVector::clamped(degree, interior)),
+      spans_(static_cast<Index>(interior.size()) + 1) {
+  low_.resize(spans_);
+  upper_.resize(spans_);
+  scale_.resize(spans_);
+  Index last = 0;
+  for (Index s = 0; s < spans_; ++s) {
+    low_[s] = low(s);
+    upper_[s] = low(s) + length(s);
+    scale_[s] = length(s) > 0 ? 2 / length(s) : 0;
+    if (length(s) > 0) last = s;
+  }
+  for (Index s = last; s < spans_; ++s) upper_[s] = std::numeric_limits<double>::infinity();
+
+  // A bucket's entry is the first span that reaches past the bucket's lower end.
+  buckets_ = static_cast<int>(std::clamp<Index>(2 * spans_, 16, 4096));
+  bucket_.resize(buckets_ + 1);
+  Index s = 0;
+  for (int b = 0; b <= buckets_; ++b) {
+    // One bucket early: x * buckets_ may round up across a boundary.
+    const double x = (b - 1e-9) / buckets_;
+    while (x >= upper_[s]) ++s;
+    bucket_[b] = s;
+  }
+
+  const int w = width(), q = moments(), np = pairs();
+  const GaussRule& rule = gauss_rule(degree);
+  basis_.assign(spans_ * w * w, 0);
+  products_.assign(spans_ * np * q, 0);
+  std::vector<double> b(w);
+  for (Index k = 0; k < spans_; ++k) {
+    if (length(k) <= 0) continue;
+    double* basis = basis_.data() + k * w * w;
+    double* products = products_.data() + k * np * q;
+    for (int g = 0; g < q; ++g) {  // q nodes are exact to degree 4 m + 1: products times P_{2m}
+      const double x = low(k) + length(k) * (rule.node[g] + 1) / 2;
+      basis_functions(knots_, k + degree_, x, b);
+      const double* p = rule.legendre.data() + g * q;
+      for (int a = 0; a < w; ++a)
+        for (int i = 0; i < w; ++i) basis[a * w + i] += (a + 0.5) * rule.weight[g] * p[a] * b[i];
+      int row = 0;
+      for (int i = 0; i < w; ++i)
+        for (int i2 = 0; i2 <= i; ++i2, ++row)
+          for (int a = 0; a < q; ++a)
+            products[row * q + a] += (a + 0.5) * rule.weight[g] * p[a] * b[i] * b[i2];
+    }
+  }
+}
+
+std::vector<double> Axis::gram(int derivative) const {
+  const int w = width(), q = moments();
+  const GaussRule& rule = gauss_rule(degree_);
+  std::vector<double> result(functions() * w, 0.0), d((derivative + 1) * w);
+  for (Index s = 0; s < spans_; ++s) {
+    if (length(s) <= 0) continue;
+    for (int g = 0; g < q; ++g) {
+      basis_derivatives(knots_, s + degree_, low(s) + length(s) * (rule.node[g] + 1) / 2, derivative, d);
+      const double* b = d.data() + derivative * w;
+      for (int i = 0; i < w; ++i)
+        for (int k = 0; k <= i; ++k)
+          result[(s + i) * w + k] += rule.weight[g] * length(s) / 2 * b[i] * b[i - k];
+    }
+  }
+  return result;
+}
+
+}  // namespace knotfit

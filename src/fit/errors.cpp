@@ -1,0 +1,76 @@
+#include "knotfit/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "knotfit/fit_least_squares.h"
+#include "knotfit/tolerance.h"
+namespace knotfit {
+namespace {
+
+/// Position, in sorted order, of the least e such that at least `share` of n errors are <= e.
+std::size_t quantile_position(std::size_t n, double share) {
+  // Rounding of share * n must not ask for one point more than the share does.
+  const double rank = std::ceil(share * static_cast<double>(n) * (1 - 1e-12));
+  return std::clamp<std::size_t>(static_cast<std::size_t>(rank), 1, n) - 1;
+}
+
+}  // namespace
+
+double error_quantile(std::vector<double> errors, double share) {
+  if (errors.empty() || !(share > 0 && share <= 1))
+    throw InvalidInput("a quantile needs errors and a share in (0, 1]");
+  const auto at = errors.begin() + static_cast<Index>(quantile_position(errors.size(), share));
+  std::nth_element(errors.begin(), at, errors.end());
+  return *at;
+}
+
+ErrorSummary summarize_errors(const std::vector<double>& errors, const ParameterizedPoints& points) {
+  if (errors.empty()) throw InvalidInput("no errors to summarize");
+  if (static_cast<Index>(errors.size()) != points.size())
+    throw InvalidInput(fmt::format("{} errors for {} points", errors.size(), points.size()));
+  ErrorSummary summary;
+  double sum = 0, squares = 0;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (!std::isfinite(errors[k]) || errors[k] < 0)
+      throw InvalidInput(fmt::format("the error of point {} is {}", k, errors[k]));
+    sum += errors[k];
+    squares += errors[k] * errors[k];
+    if (summary.worst < 0 || errors[k] > summary.max) {
+      summary.max = errors[k];
+      summary.worst = static_cast<Index>(k);
+    }
+  }
+  const double n = static_cast<double>(errors.size());
+  summary.mean = sum / n;
+  summary.rms = std::sqrt(squares / n);
+  summary.worst_u = points.u(summary.worst);
+  summary.worst_v = points.v(summary.worst);
+  std::vector<double> sorted = errors;
+  std::sort(sorted.begin(), sorted.end());
+  summary.median = sorted[quantile_position(sorted.size(), 0.5)];
+  summary.p95 = sorted[quantile_position(sorted.size(), 0.95)];
+  summary.p99 = sorted[quantile_position(sorted.size(), 0.99)];
+  summary.p995 = sorted[quantile_position(sorted.size(), 0.995)];
+  return summary;
+}
+
+double measured_error(const std::vector<double>& errors, const Tolerance& tolerance) {
+  if (errors.empty()) throw InvalidInput("no errors to measure");
+  switch (tolerance.measure) {
+    case ErrorMeasure::max:
+      return *std::max_element(errors.begin(), errors.end());
+    case ErrorMeasure::rms: {
+      double squares = 0;
+      for (double e : errors) squares += e * e;
+      return std::sqrt(squares / static_cast<double>(errors.size()));
+    }
+    case ErrorMeasure::percentile:
+      break;
+  }
+  return error_quantile(errors, tolerance.share);
+}
+
+}  // namespace knotfit

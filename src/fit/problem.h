@@ -1,0 +1,59 @@
+// One set of points fitted again and again with other knots: what placement and refinement call.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "fit/backend.h"
+#include "knotfit/fit_least_squares.h"
+#include "knotfit/interior_knots.h"
+#include "knotfit/tolerance.h"
+namespace knotfit {
+
+class FitProblem {
+ public:
+  /// \throws InvalidInput  points invalid (validate), degrees outside [1,9]
+  FitProblem(const ParameterizedPoints& points, int degree_u, int degree_v,
+             const LeastSquaresOptions& options = {});
+  ~FitProblem();
+
+  /// Least squares on these knots. \return false where no smoothing makes it solvable: rms, max are
+  /// then infinite
+  bool solve(const InteriorKnots& knots);
+
+  // Of the last solve:
+  const InteriorKnots& knots() const { return knots_; }
+  const Axis& axis_u() const { return u_; }
+  const Axis& axis_v() const { return v_; }
+  const std::vector<double>& net() const { return net_; }  ///< size_u x size_v x dimension
+  Surface surface() const;
+  double rms() const { return rms_; }
+  double max() const { return max_; }
+  double measured(const Tolerance& tolerance) const;
+  std::vector<double> errors() const { return backend_->errors(); }  ///< input order
+  double condition() const { return backend_->condition(); }
+  double smoothing() const { return backend_->smoothing(); }
+  Index empty_cells() const { return backend_->empty_cells(); }
+
+  const ParameterizedPoints& points() const { return points_; }
+  int degree_u() const { return degree_u_; }
+  int degree_v() const { return degree_v_; }
+  bool on_grid() const { return on_grid_; }
+  Index control_points() const { return u_.functions() * v_.functions(); }
+  long fits() const { return fits_; }
+  /// Refinement steps of every solve from here on: 0 while searching, as they cost a pass each.
+  void set_refinement_steps(int steps) { options_.refinement_steps = steps; }
+
+ private:
+  const ParameterizedPoints& points_;
+  int degree_u_, degree_v_;
+  LeastSquaresOptions options_;
+  bool on_grid_ = false;
+  std::unique_ptr<FitBackend> backend_;
+  InteriorKnots knots_;
+  Axis u_, v_;
+  std::vector<double> net_;
+  double rms_ = 0, max_ = 0;
+  long fits_ = 0;
+};
+
+}  // namespace knotfit

@@ -1,0 +1,253 @@
+#include "fit/scattered.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "fit/kernels.h"
+#include "fit/smoothing.h"
+namespace knotfit {
+namespace {
+
+template <int rows, int columns>
+using ConstMap =
+    Eigen::Map<const Eigen::Matrix<double, rows, columns,
+                                   (rows != 1 && columns == 1) ? Eigen::ColMajor : Eigen::RowMajor>>;
+template <int rows, int columns>
+using Matrix = Eigen::Matrix<double, rows, columns, Eigen::RowMajor>;
+
+/// Calls body.operator()<degree>() with the common degree, or <Dynamic> where the two differ or pass 5.
+template <class Body>
+void for_degrees(int outer, int inner, const Body& body) {
+  if (outer != inner) return body.template operator()<Eigen::Dynamic>();
+  switch (outer) {
+    case 1:
+      return body.template operator()<1>();
+    case 2:
+      return body.template operator()<2>();
+    case 3:
+      return body.template operator()<3>();
+    case 4:
+      return body.template operator()<4>();
+    case 5:
+      return body.template operator()<5>();
+    default:
+      return body.template operator()<Eigen::Dynamic>();
+  }
+}
+constexpr int width_of(int degree) {
+  return degree < 0 ? Eigen::Dynamic : degree + 1;
+}
+constexpr int moments_of(int degree) {
+  return degree < 0 ? Eigen::Dynamic : 2 * degree + 1;
+}
+constexpr int pairs_of(int degree) {
+  return degree < 0 ? Eigen::Dynamic : (degree + 1) * (degree + 2) / 2;
+}
+
+/// Calls body(span) for all outer spans. Spans less than degree + 1 apart write to the same
+/// functions, so every (degree + 1)-th goes at once, in a fixed order of colours.
+template <class Body>
+void for_outer_spans(const Axis& outer, const Body& body) {
+  const int colours = outer.width();
+  for (int colour = 0; colour < colours; ++colour) {
+    const Index count = (outer.spans() - colour + colours - 1) / colours;
+    if (count > 0) parallel_for(count, [&](Index i) { body(colour + i * colours); });
+  }
+}
+
+}  // namespace
+
+ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points) : order_(points) {}
+
+bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoothing) {
+  u_ = &u;
+  v_ = &v;
+  swapped_ = v.functions() > u.functions();
+  outer_ = swapped_ ? &v : &u;
+  inner_ = swapped_ ? &u : &v;
+  const Axis &outer = *outer_, &inner = *inner_;
+  order_.sort(outer, inner, swapped_);
+  empty_cells_ = order_.empty_cells();
+
+  const int d = order_.dimension(), stride = padded(inner.moments());
+  const Index matrix_size = Index{outer.moments()} * stride,
+              rhs_size = Index{d} * outer.width() * inner.width();
+  const auto& pieces = order_.pieces();
+  const auto& start = order_.piece_start();
+  moments_.assign(pieces.size() * (matrix_size + rhs_size), 0.0);
+  parallel_for(static_cast<Index>(pieces.size()), [&](Index i) {
+    double* m = moments_.data() + i * (matrix_size + rhs_size);
+    add_moments(order_, pieces[i], outer.degree(), inner.degree(), m, m + matrix_size);
+  });
+
+  const Index ni = inner.functions();
+  matrix_.reset(outer.functions() * ni, outer.degree() * ni + inner.degree());
+  data_rhs_.assign(outer.functions() * ni * d, 0.0);
+  for_degrees(outer.degree(), inner.degree(), [&]<int degree>() {
+    constexpr int w = width_of(degree), q = moments_of(degree), np = pairs_of(degree);
+    const int wo = outer.width(), wi = inner.width();
+    for_outer_spans(outer, [&](Index s) {
+      const ConstMap<np, q> po(outer.products(s), outer.pairs(), outer.moments());
+      const ConstMap<w, w> bo(outer.basis(s), wo, wo);
+      Matrix<np, np> gram(outer.pairs(), inner.pairs());
+      Matrix<np, q> half(outer.pairs(), inner.moments());
+      Matrix<w, w> rhs(wo, wi);
+      for (Index r = 0; r < inner.spans(); ++r) {
+        const Index cell = s * inner.spans() + r, first = start[cell], count = start[cell + 1] - first;
+        if (count == 0) continue;
+        double* m = moments_.data() + first * (matrix_size + rhs_size);
+        for (Index step = 1; step < count; step *= 2)  // long cells: partials added as a tree
+          for (Index i = 0; i + step < count; i += 2 * step)
+            for (Index x = 0; x < matrix_size + rhs_size; ++x)
+              m[i * (matrix_size + rhs_size) + x] += m[(i + step) * (matrix_size + rhs_size) + x];
+        const Eigen::Map<const Matrix<q, q>, 0, Eigen::OuterStride<>> mom(m, outer.moments(), inner.moments(),
+                                                                          Eigen::OuterStride<>(stride));
+        const ConstMap<np, q> pi(inner.products(r), inner.pairs(), inner.moments());
+        half.noalias() = po * mom;
+        gram.noalias() = half * pi.transpose();
+        int row = 0;
+        for (int i = 0; i < wo; ++i)
+          for (int i2 = 0; i2 <= i; ++i2, ++row) {
+            int column = 0;
+            const Index at = (s + i) * ni + r, at2 = (s + i2) * ni + r;
+            for (int j = 0; j < wi; ++j)
+              for (int j2 = 0; j2 <= j; ++j2, ++column) {
+                matrix_.add(at + j, at2 + j2, gram(row, column));
+                if (i != i2 && j != j2) matrix_.add(at + j2, at2 + j, gram(row, column));
+              }
+          }
+        const ConstMap<w, w> bi(inner.basis(r), wi, wi);
+        for (int e = 0; e < d; ++e) {
+          const ConstMap<w, w> x(m + matrix_size + e * wo * wi, wo, wi);
+          rhs.noalias() = bo.transpose() * x * bi;
+          for (int i = 0; i < wo; ++i)
+            for (int j = 0; j < wi; ++j) data_rhs_[((s + i) * ni + r + j) * d + e] += rhs(i, j);
+        }
+      }
+    });
+  });
+  add_smoothing(relative_smoothing);
+  if (keep_norm_) norm_ = matrix_.norm_1();
+  return matrix_.factor();
+}
+
+void ScatteredBackend::add_smoothing(double relative) {
+  const EnergyGrams o(*outer_), i(*inner_);
+  const int wo = outer_->width(), wi = inner_->width();
+  const Index no = outer_->functions(), ni = inner_->functions();
+  const double trace_energy = energy_trace(o, i);
+  smoothing_ = trace_energy > 0 ? relative * matrix_.trace() / trace_energy : 0;
+  if (smoothing_ == 0) return;
+  for (Index a = 0; a < no; ++a)
+    for (int k = 0; k < std::min<Index>(wo, a + 1); ++k)
+      for (Index b = 0; b < ni; ++b)
+        for (Index c = std::max<Index>(0, b - wi + 1); c < std::min(ni, b + wi); ++c) {
+          if (k == 0 && c > b) continue;
+          const Index g = c <= b ? b * wi + (b - c) : c * wi + (c - b);
+          matrix_.add(a * ni + b, (a - k) * ni + c, smoothing_ * energy_entry(o, i, a * wo + k, g));
+        }
+}
+
+std::vector<double> ScatteredBackend::project(bool residual) {
+  const Axis &outer = *outer_, &inner = *inner_;
+  const int d = order_.dimension(), wo = outer.width(), wi = inner.width();
+  const Index no = outer.functions(), ni = inner.functions(), n = no * ni;
+  std::vector<double> rhs;
+  if (!residual) {
+    rhs = data_rhs_;
+  } else {
+    const Index size = Index{d} * wo * wi;
+    const auto& pieces = order_.pieces();
+    const auto& start = order_.piece_start();
+    std::vector<double> sums(pieces.size() * size, 0.0);
+    parallel_for(static_cast<Index>(pieces.size()), [&](Index i) {
+      add_rhs_moments(order_, pieces[i], outer.degree(), inner.degree(), residual_.data(),
+                      sums.data() + i * size);
+    });
+    rhs.assign(n * d, 0.0);
+    for_degrees(outer.degree(), inner.degree(), [&]<int degree>() {
+      constexpr int w = width_of(degree);
+      for_outer_spans(outer, [&](Index s) {
+        const ConstMap<w, w> bo(outer.basis(s), wo, wo);
+        Matrix<w, w> y(wo, wi);
+        for (Index r = 0; r < inner.spans(); ++r) {
+          const ConstMap<w, w> bi(inner.basis(r), wi, wi);
+          const Index cell = s * inner.spans() + r;
+          for (Index p = start[cell]; p < start[cell + 1]; ++p)
+            for (int e = 0; e < d; ++e) {
+              const ConstMap<w, w> x(sums.data() + p * size + e * wo * wi, wo, wi);
+              y.noalias() = bo.transpose() * x * bi;
+              for (int i = 0; i < wo; ++i)
+                for (int j = 0; j < wi; ++j) rhs[((s + i) * ni + r + j) * d + e] += y(i, j);
+            }
+        }
+      });
+    });
+  }
+  std::vector<double> x(n * d);
+  for (Index k = 0; k < n; ++k)
+    for (int e = 0; e < d; ++e) x[e * n + k] = rhs[k * d + e];
+  matrix_.solve(x.data(), d);
+  std::vector<double> net(n * d);
+  for (Index a = 0; a < no; ++a)
+    for (Index b = 0; b < ni; ++b)
+      for (int e = 0; e < d; ++e) net[(swapped_ ? b * no + a : a * ni + b) * d + e] = x[e * n + a * ni + b];
+  return net;
+}
+
+ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
+  const Axis &outer = *outer_, &inner = *inner_;
+  const int d = order_.dimension(), wo = outer.width(), wi = inner.width();
+  const Index no = outer.functions(), ni = inner.functions();
+  residual_.resize(order_.size() * d);
+  const auto& pieces = order_.pieces();
+  const auto& start = order_.piece_start();
+  std::vector<ResidualSums> sums(pieces.size());
+  for_degrees(outer.degree(), inner.degree(), [&]<int degree>() {
+    constexpr int w = width_of(degree);
+    parallel_for(outer.spans(), [&](Index s) {
+      const ConstMap<w, w> bo(outer.basis(s), wo, wo);
+      Matrix<w, w> c(wo, wi);
+      std::vector<double> local(d * wo * wi);
+      for (Index r = 0; r < inner.spans(); ++r) {
+        const Index cell = s * inner.spans() + r;
+        if (start[cell] == start[cell + 1]) continue;
+        const ConstMap<w, w> bi(inner.basis(r), wi, wi);
+        for (int e = 0; e < d; ++e) {
+          for (int i = 0; i < wo; ++i)
+            for (int j = 0; j < wi; ++j)
+              c(i, j) = net[(swapped_ ? (r + j) * no + s + i : (s + i) * ni + r + j) * d + e];
+          Eigen::Map<Matrix<w, w>>(local.data() + e * wo * wi, wo, wi).noalias() = bo * c * bi.transpose();
+        }
+        for (Index p = start[cell]; p < start[cell + 1]; ++p) {
+          add_residuals(order_, pieces[p], outer.degree(), inner.degree(), local.data(), residual_.data());
+          for (Index k = pieces[p].begin; k < pieces[p].end; ++k) {
+            double square = 0;
+            for (int e = 0; e < d; ++e) square += residual_[k * d + e] * residual_[k * d + e];
+            sums[p] += {square, square};
+          }
+        }
+      }
+    });
+  });
+  ResidualSums total;
+  for (const ResidualSums& s : sums) total += s;
+  total.max = std::sqrt(total.max);
+  return total;
+}
+
+std::vector<double> ScatteredBackend::errors() const {
+  const int d = order_.dimension();
+  std::vector<double> errors(order_.size());
+  parallel_chunks(order_.size(), [&](Index, Index begin, Index end) {
+    for (Index k = begin; k < end; ++k) {
+      double square = 0;
+      for (int e = 0; e < d; ++e) square += residual_[k * d + e] * residual_[k * d + e];
+      errors[order_.input(k)] = std::sqrt(square);
+    }
+  });
+  return errors;
+}
+
+}  // namespace knotfit

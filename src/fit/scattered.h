@@ -1,0 +1,37 @@
+// The normal equations of scattered points, assembled cell by cell from moments [METHOD 1, 6].
+#pragma once
+#include <memory>
+
+#include "fit/backend.h"
+#include "fit/banded.h"
+#include "fit/cell_order.h"
+namespace knotfit {
+
+class ScatteredBackend final : public FitBackend {
+ public:
+  explicit ScatteredBackend(const ParameterizedPoints& points);
+  bool factor(const Axis& u, const Axis& v, double relative_smoothing) override;
+  std::vector<double> project_data() override { return project(false); }
+  std::vector<double> project_residual() override { return project(true); }
+  ResidualSums residuals(const std::vector<double>& net) override;
+  std::vector<double> errors() const override;
+  double condition() const override { return matrix_.condition(norm_); }
+
+ private:
+  std::vector<double> project(bool residual);
+  void add_smoothing(double relative);
+
+  CellOrder order_;
+  const Axis* u_ = nullptr;
+  const Axis* v_ = nullptr;
+  const Axis* outer_ = nullptr;  ///< the direction with more functions: the band is narrower so
+  const Axis* inner_ = nullptr;
+  bool swapped_ = false;
+  BandMatrix matrix_;
+  double norm_ = 0;
+  std::vector<double> moments_;   ///< a piece: outer moments x padded inner moments
+  std::vector<double> residual_;  ///< cell order, n x dimension
+  std::vector<double> data_rhs_;  ///< A^T W P, gathered in the pass that makes the moments
+};
+
+}  // namespace knotfit

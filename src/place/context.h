@@ -1,0 +1,58 @@
+// What the methods share while knots are placed for one set of points at one count or many.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "fit/problem.h"
+#include "knotfit/control.h"
+#include "knotfit/place.h"
+namespace knotfit {
+
+/// Knots of the error model on a fine net, and the masses (knot density times length) of its spans.
+struct FineModel {
+  InteriorKnots knots;
+  std::vector<double> mass_u, mass_v;     ///< a span
+  double integral_u = 1, integral_v = 1;  ///< I_u, I_v of METHOD 4: integrals of the densities
+  std::vector<double> breaks_u() const;
+  std::vector<double> breaks_v() const;
+};
+
+class PlacementContext {
+ public:
+  /// \param problem  set to the degrees of `options`; outlives the context
+  PlacementContext(FitProblem& problem, PlacementOptions options, const Control& control);
+
+  FitProblem& problem() { return problem_; }
+  const PlacementOptions& options() const { return options_; }
+  PlacementOptions& options() { return options_; }
+  bool stop_requested() const { return control_.stop.stop_requested(); }
+
+  /// The feature measure of the options, from a uniform pre-fit; made once.
+  const FeatureMap& features();
+  /// The error model's fine stage [METHOD 2.1]; made once.
+  const FineModel& fine_model();
+  /// Spans a direction of a uniform pre-fit: clamp(share * sqrt(points), 8, 60), fewer where the
+  /// points are few.
+  int pre_fit_spans(double share) const;
+
+ private:
+  FitProblem& problem_;
+  PlacementOptions options_;
+  const Control& control_;
+  std::optional<FeatureMap> features_;
+  std::optional<FineModel> fine_model_;
+};
+
+/// The body of a method: knots at counts (interior_u, interior_v).
+using PlaceFunction = Placement (*)(PlacementContext& context, int interior_u, int interior_v);
+
+// Every method; methods.cpp lists them.
+Placement place_uniform(PlacementContext& context, int interior_u, int interior_v);
+Placement place_quantile(PlacementContext& context, int interior_u, int interior_v);
+Placement place_criterion(PlacementContext& context, int interior_u, int interior_v);
+Placement place_error_model(PlacementContext& context, int interior_u, int interior_v);
+
+/// The body of the method of that name. \throws InvalidInput  unknown; lists those there are
+PlaceFunction find_method(std::string_view name);
+
+}  // namespace knotfit

@@ -1,0 +1,165 @@
+#include "place/error_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "knotfit/basis.h"
+#include "place/shares.h"
+namespace knotfit {
+namespace {
+
+// Measured constants of METHOD 2.1.
+constexpr double kDensityFloor = 0.02, kDamping = 0.5, kLeastSpan = 0.01;
+constexpr int kFineRounds = 4;
+
+/// \param net  control point (i along, j across), component e at [i * stride_along + j * stride_across + e]
+ErrorDensity density(const Axis& along, const Axis& across, const double* net, Index stride_along,
+                     Index stride_across, int dimension) {
+  const Index spans = along.spans(), nj = across.functions();
+  const int m = along.degree(), w = along.width();
+  if (spans == 1) return {{1.0}, 1.0};
+
+  // D_s: the m-th derivative on span s, constant along it; a spline across with coefficients D[s].
+  const Index row = nj * dimension;
+  std::vector<double> derivative(spans * row, 0.0), basis((m + 1) * w);
+  for (Index s = 0; s < spans; ++s) {
+    if (along.length(s) <= 0) continue;
+    basis_derivatives(along.knots(), s + m, along.low(s) + along.length(s) / 2, m, basis);
+    for (int a = 0; a < w; ++a) {
+      const double b = basis[m * w + a];
+      const double* c = net + (s + a) * stride_along;
+      for (Index j = 0; j < nj; ++j)
+        for (int e = 0; e < dimension; ++e)
+          derivative[s * row + j * dimension + e] += b * c[j * stride_across + e];
+    }
+  }
+
+  // Slope at a knot: the jump there, in L2 across, over the distance of the spans' middles.
+  const std::vector<double> gram = across.gram(0);
+  const int wj = across.width();
+  std::vector<double> slope(spans - 1, 0.0), jump(row);
+  for (Index k = 0; k + 1 < spans; ++k) {
+    const double h = (along.length(k) + along.length(k + 1)) / 2;
+    if (along.length(k) <= 0 || along.length(k + 1) <= 0) continue;
+    for (Index x = 0; x < row; ++x) jump[x] = derivative[(k + 1) * row + x] - derivative[k * row + x];
+    double square = 0;
+    for (Index j = 0; j < nj; ++j)
+      for (Index b = 0; b < std::min<Index>(wj, j + 1); ++b) {
+        double product = 0;
+        for (int e = 0; e < dimension; ++e)
+          product += jump[j * dimension + e] * jump[(j - b) * dimension + e];
+        square += (b == 0 ? 1 : 2) * gram[j * wj + b] * product;
+      }
+    slope[k] = std::sqrt(std::max(0.0, square)) / h;
+  }
+
+  std::vector<double> g(spans);
+  for (Index s = 0; s < spans; ++s) {
+    const double left = slope[std::max<Index>(0, s - 1)], right = slope[std::min(spans - 2, s)];
+    g[s] = std::pow((left + right) / 2, 2.0 / (2 * m + 3));
+  }
+  const std::vector<double> raw = g;
+  for (Index s = 0; s < spans; ++s)
+    g[s] = (raw[std::max<Index>(0, s - 1)] + 2 * raw[s] + raw[std::min(spans - 1, s + 1)]) / 4;
+
+  ErrorDensity result;
+  result.integral = 0;
+  for (Index s = 0; s < spans; ++s) result.integral += g[s] * along.length(s);
+  result.mass.resize(spans);
+  for (Index s = 0; s < spans; ++s)
+    result.mass[s] = std::max(g[s], kDensityFloor * result.integral) * along.length(s);
+  if (!(result.integral > 0)) {  // a polynomial: no knot is better than another
+    result.integral = 0;
+    for (Index s = 0; s < spans; ++s) result.mass[s] = along.length(s);
+  }
+  return result;
+}
+
+/// Rounds at fixed counts from `knots`: refit, equal shares, damped; the best round's knots are kept.
+struct Rounds {
+  InteriorKnots best;
+  double error = std::numeric_limits<double>::infinity();
+};
+Rounds iterate(FitProblem& problem, InteriorKnots knots, int rounds, ErrorMeasure measure, double good_enough,
+               const std::function<bool()>& stop) {
+  Rounds result;
+  for (int round = 0;; ++round) {
+    if (!problem.solve(knots)) break;
+    const double error = measure == ErrorMeasure::max ? problem.max() : problem.rms();
+    if (error < result.error) {
+      result.error = error;
+      result.best = knots;
+    }
+    if (round == rounds || stop() || error <= good_enough) break;
+    InteriorKnots next =
+        knots_of_density(problem, static_cast<int>(knots.u.size()), static_cast<int>(knots.v.size()));
+    for (std::size_t i = 0; i < next.u.size(); ++i)
+      next.u[i] = kDamping * next.u[i] + (1 - kDamping) * knots.u[i];
+    for (std::size_t i = 0; i < next.v.size(); ++i)
+      next.v[i] = kDamping * next.v[i] + (1 - kDamping) * knots.v[i];
+    widen_spans(next.u, kLeastSpan);
+    widen_spans(next.v, kLeastSpan);
+    knots = std::move(next);
+  }
+  return result;
+}
+
+}  // namespace
+
+ErrorDensity error_density_u(const FitProblem& f) {
+  const int d = f.points().dimension;
+  return density(f.axis_u(), f.axis_v(), f.net().data(), f.axis_v().functions() * d, d, d);
+}
+
+ErrorDensity error_density_v(const FitProblem& f) {
+  const int d = f.points().dimension;
+  return density(f.axis_v(), f.axis_u(), f.net().data(), d, f.axis_v().functions() * d, d);
+}
+
+InteriorKnots knots_of_density(const FitProblem& fitted, int interior_u, int interior_v) {
+  InteriorKnots knots;
+  knots.u = equal_shares(with_ends(fitted.knots().u), error_density_u(fitted).mass, interior_u);
+  knots.v = equal_shares(with_ends(fitted.knots().v), error_density_v(fitted).mass, interior_v);
+  widen_spans(knots.u, kLeastSpan);
+  widen_spans(knots.v, kLeastSpan);
+  return knots;
+}
+
+FineModel fit_fine_model(FitProblem& problem, int interior, const Control& control) {
+  FineModel model;
+  const InteriorKnots uniform{uniform_knots(interior), uniform_knots(interior)};
+  model.knots = iterate(problem, uniform, kFineRounds, ErrorMeasure::rms, -1, [&] {
+                  return control.stop.stop_requested();
+                }).best;
+  if (model.knots.u.size() != uniform.u.size()) model.knots = uniform;  // no round was solvable
+  if (problem.solve(model.knots)) {
+    const ErrorDensity u = error_density_u(problem), v = error_density_v(problem);
+    model.mass_u = u.mass;
+    model.mass_v = v.mass;
+    model.integral_u = u.integral;
+    model.integral_v = v.integral;
+  } else {
+    model.mass_u.assign(interior + 1, 1.0);
+    model.mass_v.assign(interior + 1, 1.0);
+  }
+  return model;
+}
+
+Placement place_error_model(PlacementContext& context, int interior_u, int interior_v) {
+  const FineModel& fine = context.fine_model();
+  InteriorKnots start{equal_shares(fine.breaks_u(), fine.mass_u, interior_u),
+                      equal_shares(fine.breaks_v(), fine.mass_v, interior_v)};
+  widen_spans(start.u, kLeastSpan);
+  widen_spans(start.v, kLeastSpan);
+  const PlacementOptions& o = context.options();
+  Placement placement;
+  const Rounds rounds = iterate(context.problem(), start, o.rounds, o.keep_by, o.good_enough,
+                                [&] { return context.stop_requested(); });
+  placement.knots = std::isfinite(rounds.error) ? rounds.best : start;
+  placement.status = context.stop_requested() ? PlacementStatus::stopped : PlacementStatus::converged;
+  return placement;
+}
+
+}  // namespace knotfit
