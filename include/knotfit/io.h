@@ -28,7 +28,8 @@ struct ReadOptions {
   std::string format;  ///< empty: by extension, then content
   std::vector<std::string>
       columns;  ///< names of the columns of a text file or n x k array: x y z u v w, "-" skips
-  std::optional<double> nodata;  ///< value that stands for a hole (rasters, arrays)
+  std::optional<double> nodata;  ///< value of z that stands for a hole; of a raster in place of its header's
+  bool places = false;           ///< a table may lack z (places to evaluate at): its z are then NaN
 };
 /// Reads a data file. Memory is taken only once the file's size can hold what its header claims.
 /// \throws FileError  missing, empty, truncated, malformed; names the line or byte
@@ -57,7 +58,8 @@ void write_file(const std::string& path, bool force, const std::function<void(st
 void check_writable(const std::string& path, bool force);
 
 /// Columns x,y,z,u,v,error (height fields and geometry; x,y left out where there are none), a line
-/// a point in input order. u, v are in the user's parameters.
+/// a point in input order. u, v are in the user's parameters; those of a height field are x and y, and
+/// u, v there are the surface's own in [0,1].
 void write_residuals(std::ostream& out, const ParameterizedPoints& points, std::span<const double> errors);
 /// ESRI ASCII grid, holes as nodata.
 void write_raster(std::ostream& out, const Raster& raster);

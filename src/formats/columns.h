@@ -1,0 +1,43 @@
+// What the columns of a table mean.
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "knotfit/index.h"
+#include "knotfit/source_data.h"
+namespace knotfit {
+
+/// x y z u v w, or none of them.
+enum class Role : int { x, y, z, u, v, w, skip };
+inline constexpr int kRoles = 6;
+
+/// "x", "y", ... for messages.
+std::string_view role_name(Role role);
+
+/// The role of a name: letter case, quotes' blanks and a unit in brackets do not count; s and t
+/// are u and v, "weight" is w. \return skip where the name is unknown
+Role role_of(std::string_view name);
+
+/// Roles of the columns a user named.
+/// \throws InvalidInput  an unknown name, or a set of columns that makes no points
+std::vector<Role> roles_of_option(std::span<const std::string> names, bool places = false);
+
+/// Roles by count where nothing names the columns: 3 x,y,z; 5 with u,v; 6 with w. \return empty
+/// for other counts
+std::vector<Role> roles_of_count(Index columns);
+
+/// Why these columns make no points, or empty where they do: z is needed, x and y go together,
+/// u and v too, x,y or u,v must be there, and none twice.
+/// \param places  points without z will do
+std::string objection(std::span<const Role> roles, bool places = false);
+
+/// Exactly x, y and z beside skipped columns.
+bool only_xyz(std::span<const Role> roles);
+
+/// The column of a table that takes a role; skip gives nullptr.
+std::vector<double>* column_of(PointTable& table, Role role);
+
+}  // namespace knotfit

@@ -1,0 +1,157 @@
+// Which formats there are, and which one a file has.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <stdexcept>
+
+#include "formats/npy_header.h"
+#include "formats/readers.h"
+#include "formats/text_lines.h"
+#include "knotfit/errors.h"
+#include "knotfit/io.h"
+namespace knotfit {
+namespace {
+
+struct Format {
+  FormatInfo info;
+  SourceData (*read)(const FileBytes&, const ReadOptions&);  ///< null: no data is read from it
+};
+
+// Written out, not filled by static constructors: a static library drops objects nobody names.
+constexpr std::array kFormats = {
+    Format{{"esri-ascii", ".asc .grd", "ESRI ASCII grid of heights", true, true}, read_esri_ascii},
+    Format{{"csv", ".csv .tsv .txt .xyz .dat", "points, a line each: x,y,z, x,y,z,u,v or named columns", true,
+            true},
+           read_csv},
+    Format{{"rows", ".rows", "rows of points x y z, a blank line between rows (.txt, .xyz and .dat too)",
+            true, false},
+           read_rows},
+    Format{{"npy", ".npy", "NumPy array: n x 3, 5 or 6 points, H x W heights, H x W x 3 points", true, false},
+           read_npy},
+    Format{{"npy-grid", "", "NumPy array H x W of heights, also where W is 3, 5 or 6", true, false},
+           read_npy},
+    Format{{"knotfit-json", ".json", "a knotfit surface", false, true}, nullptr},
+};
+
+constexpr std::array<FormatInfo, kFormats.size()> infos() {
+  std::array<FormatInfo, kFormats.size()> out{};
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = kFormats[k].info;
+  return out;
+}
+constexpr std::array kInfos = infos();
+
+// Meshes, clouds and rasters of later versions: a clearer word than "unknown".
+constexpr std::string_view kLater =
+    " .tif .tiff .ply .obj .off .stl .las .laz .pcd .vtk .vtp .step .stp .igs .iges .dem .img .nc .gpkg ";
+
+/// Extension of the last part of a path, in lower case with its dot; empty: none.
+std::string extension_of(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string());
+}
+
+bool lists(std::string_view list, std::string_view word) {
+  if (word.empty()) return false;
+  for (std::size_t at = list.find(word); at != std::string_view::npos; at = list.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
+  }
+  return false;
+}
+
+std::string readable() {
+  std::string out;
+  for (const Format& format : kFormats) {
+    if (format.read == nullptr) continue;
+    out += (out.empty() ? "" : ", ") + std::string(format.info.name);
+    if (!format.info.extensions.empty()) out += fmt::format(" ({})", format.info.extensions);
+  }
+  return out;
+}
+
+const Format* by_name(std::string_view name) {
+  for (const Format& format : kFormats)
+    if (format.info.name == name) return &format;
+  return nullptr;
+}
+
+const Format* by_extension(std::string_view extension) {
+  for (const Format& format : kFormats)
+    if (lists(format.info.extensions, extension)) return &format;
+  return nullptr;
+}
+
+const Format* by_content(std::string_view bytes) {
+  if (bytes.starts_with(kNpyMagic)) return by_name("npy");
+  return looks_like_esri_ascii(bytes) ? by_name("esri-ascii") : nullptr;
+}
+
+/// What can be said before the file is opened: an unknown format name.
+void check_format_name(const ReadOptions& options) {
+  if (options.format.empty()) return;
+  const Format* format = by_name(options.format);
+  if (format == nullptr || format->read == nullptr)
+    throw InvalidInput(fmt::format("unknown input format \"{}\"; there are {}", options.format, readable()));
+}
+
+void refuse_later_format(const std::string& path, const ReadOptions& options) {
+  const std::string extension = extension_of(path);
+  if (options.format.empty() && lists(kLater, extension))
+    throw FileError(
+        path, fmt::format("{} files are not supported by this version; it reads {}", extension, readable()));
+}
+
+SourceData read_as(const FileBytes& file, const ReadOptions& options) {
+  if (!options.format.empty()) return by_name(options.format)->read(file, options);
+  refuse_later_format(file.path(), options);
+  const std::string extension = extension_of(file.path());
+  const Format* format = by_extension(extension);
+  if (format == nullptr) format = by_content(file.view());
+  if (format == nullptr)
+    throw FileError(
+        file.path(),
+        fmt::format("{}; name the format with --format: {}",
+                    extension.empty() ? std::string("a name without an extension does not tell the format")
+                                      : "unknown extension " + extension,
+                    readable()));
+  if (format->read == nullptr)
+    throw FileError(file.path(), fmt::format("{} holds {}, not points; data is read from {}", extension,
+                                             format->info.summary, readable()));
+  if (format->read == read_csv && extension != ".csv" && extension != ".tsv")
+    return looks_like_esri_ascii(file.view()) ? read_esri_ascii(file, options)
+                                              : read_text_points(file, options);
+  return format->read(file, options);
+}
+
+}  // namespace
+
+std::span<const FormatInfo> formats() {
+  return kInfos;
+}
+
+SourceData read_bytes(const FileBytes& file, const ReadOptions& options) {
+  check_format_name(options);
+  try {
+    return read_as(file, options);
+  } catch (const std::bad_alloc&) {
+    throw FileError(file.path(), "reading it needs more memory than there is");
+  } catch (const std::length_error&) {
+    throw FileError(file.path(), "reading it needs more memory than there is");
+  }
+}
+
+SourceData read_data(const std::string& path, const ReadOptions& options) {
+  check_format_name(options);
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored)) refuse_later_format(path, options);  // not read first
+  FileBytes file;
+  try {
+    file = load_file(path);
+  } catch (const std::bad_alloc&) {
+    throw FileError(path, "reading it needs more memory than there is");
+  }
+  return read_bytes(file, options);
+}
+
+}  // namespace knotfit

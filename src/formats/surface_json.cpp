@@ -1,0 +1,299 @@
+// Surfaces as knotfit JSON; the schema is in docs/formats.md.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "formats/file_bytes.h"
+#include "formats/json_reader.h"
+#include "formats/number.h"
+#include "formats/text_lines.h"
+#include "knotfit/errors.h"
+#include "knotfit/io.h"
+#include "knotfit/version.h"
+namespace knotfit {
+namespace {
+
+constexpr std::string_view kFormat = "knotfit-surface";
+constexpr int kVersion = 1;
+
+void append_numbers(std::string& out, std::span<const double> values) {
+  out += '[';
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (k > 0) out += ", ";
+    append_number(out, values[k]);
+  }
+  out += ']';
+}
+
+void append_net(std::string& out, const Surface& s) {
+  out += "[\n";
+  for (Index i = 0; i < s.size_u(); ++i) {
+    out += "    [";
+    for (Index j = 0; j < s.size_v(); ++j) {
+      if (j > 0) out += ", ";
+      append_numbers(out, s.control_point(i, j));
+    }
+    out += i + 1 < s.size_u() ? "],\n" : "]\n";
+  }
+  out += "  ]";
+}
+
+/// The member's text, checked to be one JSON object.
+void append_object(std::string& out, std::string_view name, std::string_view text) {
+  if (text.empty()) return;
+  const std::string place(name);
+  JsonReader reader(text, text, place);
+  if (reader.peek() != JsonReader::Kind::object)
+    throw InvalidInput(fmt::format("the {} of a surface document must be a JSON object", name));
+  try {
+    const std::string_view object = reader.skip();
+    reader.finish();
+    out += fmt::format(",\n  \"{}\": {}", name, object);
+  } catch (const FileError& error) {
+    throw InvalidInput(
+        fmt::format("the {} of a surface document must be a JSON object: {}", name, error.what()));
+  }
+}
+
+std::string map_objection(const ParameterMap& map) {
+  if (!std::isfinite(map.u0) || !std::isfinite(map.u1) || !std::isfinite(map.v0) || !std::isfinite(map.v1))
+    return "its ends must be finite";
+  if (!(map.u0 < map.u1)) return fmt::format("u0 = {} must be below u1 = {}", map.u0, map.u1);
+  if (!(map.v0 < map.v1)) return fmt::format("v0 = {} must be below v1 = {}", map.v0, map.v1);
+  return {};
+}
+
+/// Members of one JSON object by name. \throws FileError  a name that is read stands there twice
+class Members {
+ public:
+  Members(std::string_view text, std::string_view object, const std::string& path)
+      : text_(text), path_(path), place_(object) {
+    JsonReader reader(text, object, path);
+    if (reader.peek() != JsonReader::Kind::object) reader.fail("a JSON object is missing");
+    members_ = reader.members();
+    reader.finish();
+  }
+  /// The text of a member, or nothing.
+  std::optional<std::string_view> find(std::string_view name) const {
+    std::optional<std::string_view> found;
+    for (const auto& [key, value] : members_) {
+      if (key != name) continue;
+      if (found) at(name, value).fail("the member is there twice");
+      found = value;
+    }
+    return found;
+  }
+  std::string_view get(std::string_view name) const {
+    const auto value = find(name);
+    if (!value) at({}, place_).fail(fmt::format("not a knotfit surface: the member \"{}\" is missing", name));
+    return *value;
+  }
+  /// A reader on a member's text that names the member in its errors.
+  JsonReader at(std::string_view name, std::string_view value) const {
+    JsonReader reader(text_, value, path_);
+    reader.set_member(std::string(name));
+    return reader;
+  }
+  JsonReader at(std::string_view name) const { return at(name, get(name)); }
+
+ private:
+  std::string_view text_;
+  const std::string& path_;
+  std::string_view place_;
+  std::vector<std::pair<std::string, std::string_view>> members_;
+};
+
+void check_schema(const Members& in) {
+  if (const auto format = in.find("format")) {
+    JsonReader reader = in.at("format", *format);
+    if (reader.peek() != JsonReader::Kind::string) reader.fail("a name is missing");
+    const std::string name = reader.string();
+    if (name != kFormat)
+      reader.fail(fmt::format("{} is a foreign schema, not \"{}\"", in_quotes(name), kFormat));
+  }
+  if (const auto version = in.find("version")) {
+    JsonReader reader = in.at("version", *version);
+    const double number = reader.number();
+    if (number != kVersion)
+      reader.fail(fmt::format("version {} of the schema is unknown; this program reads version {}", number,
+                              kVersion));
+  }
+}
+
+std::vector<int> read_degree(const Members& in) {
+  JsonReader reader = in.at("degree");
+  std::vector<int> degree;
+  reader.array([&](Index k) {
+    const double value = reader.number();
+    if (k >= 2 || !(value >= 1 && value <= kMaxDegree) || value != std::floor(value))
+      reader.fail(fmt::format("two whole numbers from 1 to {} are needed", kMaxDegree));
+    degree.push_back(static_cast<int>(value));
+  });
+  if (degree.size() != 2) reader.fail(fmt::format("two whole numbers from 1 to {} are needed", kMaxDegree));
+  return degree;
+}
+
+KnotVector read_knots(const Members& in, std::string_view name, int degree) {
+  JsonReader reader = in.at(name);
+  std::vector<double> knots;
+  reader.array([&](Index) { knots.push_back(reader.number()); });
+  try {
+    return KnotVector(degree, std::move(knots));
+  } catch (const InvalidInput& error) {
+    in.at(name).fail(error.what());
+  }
+}
+
+/// control_points nested [size_u][size_v][dimension].
+std::vector<double> read_net(const Members& in, Index size_u, Index size_v, int& dimension) {
+  JsonReader reader = in.at("control_points");
+  std::vector<double> net;
+  Index rows = 0, dim = 0;
+  reader.array([&](Index i) {
+    if (i >= size_u)
+      reader.fail(fmt::format("more than the {} rows that degree and knots_u ask for", size_u));
+    Index columns = 0;
+    reader.array([&](Index j) {
+      if (j >= size_v)
+        reader.fail(fmt::format("row {} (from 0) has more than the {} points that degree and knots_v ask for",
+                                i, size_v));
+      Index components = 0;
+      reader.array([&](Index) {
+        net.push_back(reader.number());
+        ++components;
+      });
+      if (i == 0 && j == 0) dim = components;
+      if (components != dim || dim == 0 || dim > 1000)
+        reader.fail(
+            fmt::format("point ({}, {}) has {} components, the first point has {}", i, j, components, dim));
+      columns = j + 1;
+    });
+    if (columns != size_v)
+      reader.fail(fmt::format("row {} (from 0) has {} points, but degree and knots_v ask for {}", i, columns,
+                              size_v));
+    rows = i + 1;
+  });
+  if (rows != size_u) reader.fail(fmt::format("{} rows, but degree and knots_u ask for {}", rows, size_u));
+  dimension = static_cast<int>(dim);
+  return net;
+}
+
+ParameterMap read_map(const Members& in, std::string_view object, std::string_view text,
+                      const std::string& path) {
+  ParameterMap map;
+  const Members members(text, object, path);
+  const auto name = [&](const char* key, std::string& out) {
+    if (!members.find(key)) return;
+    JsonReader reader = members.at(key);
+    reader.set_member(fmt::format("parameter_map.{}", key));
+    out = reader.string();
+  };
+  const auto number = [&](const char* key, double& out) {
+    JsonReader reader = members.at(key);
+    reader.set_member(fmt::format("parameter_map.{}", key));
+    out = reader.number();
+  };
+  name("name_u", map.name_u);
+  name("name_v", map.name_v);
+  number("u0", map.u0);
+  number("u1", map.u1);
+  number("v0", map.v0);
+  number("v1", map.v1);
+  if (const std::string why = map_objection(map); !why.empty()) in.at("parameter_map", object).fail(why);
+  return map;
+}
+
+/// The text of an object member; empty where it is absent or null.
+std::string read_object(const Members& in, std::string_view name) {
+  const auto value = in.find(name);
+  if (!value) return {};
+  JsonReader reader = in.at(name, *value);
+  if (reader.peek() == JsonReader::Kind::null) return {};
+  if (reader.peek() != JsonReader::Kind::object) reader.fail("an object is missing");
+  return std::string(*value);
+}
+
+SurfaceDocument read_document(std::string_view text, const std::string& path) {
+  const std::string_view body = text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+  const Members top(text, body, path);
+  const auto inner = top.find("surface");
+  const Members in = inner ? Members(text, *inner, path) : top;
+  check_schema(in);
+  SurfaceDocument document;
+  const std::vector<int> degree = read_degree(in);
+  KnotVector knots_u = read_knots(in, "knots_u", degree[0]);
+  KnotVector knots_v = read_knots(in, "knots_v", degree[1]);
+  int dimension = 0;
+  std::vector<double> net = read_net(in, knots_u.size(), knots_v.size(), dimension);
+  try {
+    document.surface = Surface(std::move(knots_u), std::move(knots_v), dimension, std::move(net));
+  } catch (const InvalidInput& error) {
+    in.at("control_points").fail(error.what());
+  }
+  if (const auto map = in.find("parameter_map")) document.map = read_map(in, *map, text, path);
+  if (in.find("height_field")) {
+    JsonReader reader = in.at("height_field");
+    document.height_field = reader.boolean();
+    if (document.height_field && dimension != 1)
+      reader.fail(fmt::format("a height field has one component, but the control points have {}", dimension));
+  }
+  document.options = read_object(in, "options");
+  document.result = read_object(in, "result");
+  if (inner && document.options.empty()) document.options = read_object(top, "options");
+  return document;
+}
+
+}  // namespace
+
+std::string to_json(const SurfaceDocument& document) {
+  const Surface& s = document.surface;
+  if (s.empty()) throw InvalidInput("a surface document without a surface cannot be written");
+  if (const std::string why = map_objection(document.map); !why.empty())
+    throw InvalidInput("the parameter map of a surface document is wrong: " + why);
+  if (document.height_field && s.dimension() != 1)
+    throw InvalidInput(fmt::format("a height field has one component, not {}", s.dimension()));
+  std::string out;
+  out.reserve(s.net().size() * 20 + 1024);
+  out += fmt::format(
+      "{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"knotfit\": \"{}\",\n  \"degree\": [{}, {}],\n",
+      kFormat, kVersion, version(), s.degree_u(), s.degree_v());
+  out += "  \"knots_u\": ";
+  append_numbers(out, s.knots_u().knots());
+  out += ",\n  \"knots_v\": ";
+  append_numbers(out, s.knots_v().knots());
+  out += fmt::format(",\n  \"height_field\": {},\n  \"parameter_map\": {{\"name_u\": {}, ",
+                     document.height_field, json_quoted(document.map.name_u));
+  const auto number = [&](std::string_view name, double value, std::string_view then) {
+    out += fmt::format("\"{}\": ", name);
+    append_number(out, value);
+    out += then;
+  };
+  number("u0", document.map.u0, ", ");
+  number("u1", document.map.u1, ", ");
+  out += fmt::format("\"name_v\": {}, ", json_quoted(document.map.name_v));
+  number("v0", document.map.v0, ", ");
+  number("v1", document.map.v1, "}");
+  append_object(out, "options", document.options);
+  append_object(out, "result", document.result);
+  out += ",\n  \"control_points\": ";
+  append_net(out, s);
+  out += "\n}\n";
+  return out;
+}
+
+SurfaceDocument surface_from_json(std::string_view text, const std::string& path) {
+  try {
+    return read_document(text, path);
+  } catch (const std::bad_alloc&) {
+    throw FileError(path, "reading it needs more memory than there is");
+  }
+}
+
+SurfaceDocument read_surface(const std::string& path) {
+  const FileBytes file = load_file(path);
+  return surface_from_json(file.view(), path);
+}
+
+}  // namespace knotfit
