@@ -1,5 +1,6 @@
 // The synthetic five: surfaces whose truth is known, and points on them.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -13,9 +14,9 @@
 namespace knotfit::test {
 
 /// Uniform doubles in [0,1), the same on every machine.
-class Random {
+class Uniform {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Uniform(std::uint64_t seed) : engine_(seed) {}
   double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   /// Standard normal [Box-Muller].
   double normal() {
@@ -88,7 +89,7 @@ inline ParameterizedPoints synthetic_points(const std::string& name, Index n = 1
   ParameterizedPoints points;
   points.dimension = synthetic_dimension(name);
   points.height_field = points.dimension == 1;
-  Random random(seed);
+  Uniform random(seed);
   for (Index k = 0; k < n; ++k) {
     const double u = random(), v = random();
     points.uv.insert(points.uv.end(), {u, v});
