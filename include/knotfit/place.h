@@ -22,8 +22,9 @@ struct PlacementOptions {
   int rounds = 12;                                   ///< error model: rounds at the counts wanted
   FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
   FeatureMap user_features;                          ///< used in place of `feature` where not empty
-  ErrorMeasure keep_by = ErrorMeasure::rms;          ///< error model: the round kept has the least of this
-  double good_enough = 0;  ///< error model: no further round once it is at most this
+  /// Error model: the round kept has the least error of this measure; no further round once it is at
+  /// most the value (0: all rounds).
+  Tolerance keep_by{.value = 0, .measure = ErrorMeasure::rms};
 };
 
 enum class PlacementStatus { not_run, converged, limit, stopped };

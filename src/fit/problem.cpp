@@ -17,11 +17,14 @@ FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degr
       u_(degree_u),
       v_(degree_v) {
   validate(points);
+  most_u_ = most_v_ = points.size();
   if (!(options.smoothing >= 0) || !std::isfinite(options.smoothing))
     throw InvalidInput("the smoothing floor must be finite and at least 0");
   if (options.use_grid && points.weights.empty())
     if (GridLayout grid = find_grid(points); !grid.empty()) {
       on_grid_ = true;
+      most_u_ = static_cast<Index>(grid.u.size());
+      most_v_ = static_cast<Index>(grid.v.size());
       backend_ = std::make_unique<GriddedBackend>(points, std::move(grid));
     }
   if (!backend_) backend_ = std::make_unique<ScatteredBackend>(points);
@@ -55,6 +58,17 @@ bool FitProblem::solve(const InteriorKnots& knots) {
   }
   if (!solved) rms_ = max_ = std::numeric_limits<double>::infinity();
   return solved;
+}
+
+double FitProblem::work(Index functions_u, Index functions_v) const {
+  const double points = static_cast<double>(points_.size()) * points_.dimension;
+  const double m = degree_u_, n = degree_v_;
+  if (on_grid_) return points * (4 * m + 4 * n + 16);
+  // Moments and residuals of every point, then a banded Cholesky factor.
+  const double inner = static_cast<double>(std::min(functions_u, functions_v));
+  const double outer = static_cast<double>(std::max(functions_u, functions_v));
+  const double band = std::max(m, n) * inner;
+  return points * (2 * (2 * m + 1) * (2 * n + 1) + 6 * (m + 1) * (n + 1)) + inner * outer * band * band;
 }
 
 Surface FitProblem::surface() const {

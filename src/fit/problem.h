@@ -40,6 +40,11 @@ class FitProblem {
   bool on_grid() const { return on_grid_; }
   Index control_points() const { return u_.functions() * v_.functions(); }
   long fits() const { return fits_; }
+  /// Most functions that the data can tell apart in a direction: grid lines, or points.
+  Index most_functions_u() const { return most_u_; }
+  Index most_functions_v() const { return most_v_; }
+  /// Floating-point operations of one fit of that many functions, roughly: what budgets count.
+  double work(Index functions_u, Index functions_v) const;
   /// Refinement steps of every solve from here on: 0 while searching, as they cost a pass each.
   void set_refinement_steps(int steps) { options_.refinement_steps = steps; }
 
@@ -48,6 +53,7 @@ class FitProblem {
   int degree_u_, degree_v_;
   LeastSquaresOptions options_;
   bool on_grid_ = false;
+  Index most_u_ = 0, most_v_ = 0;
   std::unique_ptr<FitBackend> backend_;
   InteriorKnots knots_;
   Axis u_, v_;

@@ -82,17 +82,17 @@ struct Rounds {
   InteriorKnots best;
   double error = std::numeric_limits<double>::infinity();
 };
-Rounds iterate(FitProblem& problem, InteriorKnots knots, int rounds, ErrorMeasure measure, double good_enough,
+Rounds iterate(FitProblem& problem, InteriorKnots knots, int rounds, const Tolerance& keep_by,
                const std::function<bool()>& stop) {
   Rounds result;
   for (int round = 0;; ++round) {
     if (!problem.solve(knots)) break;
-    const double error = measure == ErrorMeasure::max ? problem.max() : problem.rms();
+    const double error = problem.measured(keep_by);
     if (error < result.error) {
       result.error = error;
       result.best = knots;
     }
-    if (round == rounds || stop() || error <= good_enough) break;
+    if (round == rounds || stop() || error <= keep_by.value) break;
     InteriorKnots next =
         knots_of_density(problem, static_cast<int>(knots.u.size()), static_cast<int>(knots.v.size()));
     for (std::size_t i = 0; i < next.u.size(); ++i)
@@ -130,7 +130,7 @@ InteriorKnots knots_of_density(const FitProblem& fitted, int interior_u, int int
 FineModel fit_fine_model(FitProblem& problem, int interior, const Control& control) {
   FineModel model;
   const InteriorKnots uniform{uniform_knots(interior), uniform_knots(interior)};
-  model.knots = iterate(problem, uniform, kFineRounds, ErrorMeasure::rms, -1, [&] {
+  model.knots = iterate(problem, uniform, kFineRounds, {.value = -1, .measure = ErrorMeasure::rms}, [&] {
                   return control.stop.stop_requested();
                 }).best;
   if (model.knots.u.size() != uniform.u.size()) model.knots = uniform;  // no round was solvable
@@ -155,8 +155,8 @@ Placement place_error_model(PlacementContext& context, int interior_u, int inter
   widen_spans(start.v, kLeastSpan);
   const PlacementOptions& o = context.options();
   Placement placement;
-  const Rounds rounds = iterate(context.problem(), start, o.rounds, o.keep_by, o.good_enough,
-                                [&] { return context.stop_requested(); });
+  const Rounds rounds =
+      iterate(context.problem(), start, o.rounds, o.keep_by, [&] { return context.stop_requested(); });
   placement.knots = std::isfinite(rounds.error) ? rounds.best : start;
   placement.status = context.stop_requested() ? PlacementStatus::stopped : PlacementStatus::converged;
   return placement;

@@ -1,0 +1,61 @@
+#include "knotfit/refine.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "knotfit/errors.h"
+#include "place/context.h"
+#include "refine/attempts.h"
+namespace knotfit {
+
+std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::not_run:
+      return "not_run";
+    case Status::fixed_size:
+      return "fixed_size";
+    case Status::reached:
+      return "reached";
+    case Status::not_reached:
+      return "not_reached";
+    case Status::data_too_sparse:
+      return "data_too_sparse";
+    case Status::tolerance_below_noise:
+      return "tolerance_below_noise";
+    case Status::limit_reached:
+      return "limit_reached";
+    case Status::time_limit:
+      return "time_limit";
+    case Status::stopped:
+      return "stopped";
+    case Status::failed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,
+                                 const Control& control) {
+  const Tolerance& t = options.tolerance;
+  if (!(t.value > 0) || !std::isfinite(t.value))
+    throw InvalidInput(fmt::format("the tolerance is {}: it must be positive and finite", t.value));
+  if (t.measure == ErrorMeasure::percentile && !(t.share > 0 && t.share < 1))
+    throw InvalidInput(fmt::format("a percentile of {} %: it must lie between 0 and 100 %", 100 * t.share));
+  if (options.max_fits < 1) throw InvalidInput("at least one fit must be allowed");
+  const Index minimum = Index{options.degree_u + 1} * (options.degree_v + 1);
+  if (options.max_control_points != 0 && options.max_control_points < minimum)
+    throw InvalidInput(
+        fmt::format("at most {} control points are fewer than the {} of one patch of degree {}x{}",
+                    options.max_control_points, minimum, options.degree_u, options.degree_v));
+  find_method(options.method);
+  LeastSquaresOptions fit;
+  fit.smoothing = options.smoothing;
+  fit.refinement_steps = 0;
+  fit.estimate_condition = false;
+  FitProblem problem(points, options.degree_u, options.degree_v, fit);
+  return options.route == RefineRoute::search ? search_sizes(problem, options, control)
+                                              : insert_isolines(problem, options, control);
+}
+
+}  // namespace knotfit
