@@ -1,0 +1,342 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "help_text.h"
+#include "knotfit/errors.h"
+#include "knotfit/version.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+constexpr std::size_t kColumn = 34;       // where descriptions begin
+constexpr std::size_t kDescription = 70;  // and how wide they are
+
+// One option of one command, its value given to `take`; what `take` refuses is named by the option.
+CLI::Option* add(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
+                 const std::string& group, const std::function<void(const std::string&)>& take) {
+  const std::string shown = name.substr(name.rfind(',') + 1);
+  return app
+      .add_option_function<std::string>(
+          name,
+          [take, shown](const std::string& text) {
+            try {
+              take(text);
+            } catch (const InvalidInput& e) {
+              throw UsageError(shown + ": " + e.what());
+            }
+          },
+          wrap(help, kDescription))
+      ->type_name(value)
+      ->group(group);
+}
+
+// The same where the option may repeat.
+CLI::Option* add_repeated(CLI::App& app, const std::string& name, const std::string& value,
+                          const std::string& help, const std::string& group,
+                          const std::function<void(const std::string&)>& take) {
+  const std::string shown = name.substr(name.rfind(',') + 1);
+  return app
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [take, shown](const std::vector<std::string>& texts) {
+            try {
+              for (const std::string& text : texts) take(text);
+            } catch (const InvalidInput& e) {
+              throw UsageError(shown + ": " + e.what());
+            }
+          },
+          wrap(help, kDescription))
+      ->allow_extra_args(false)
+      ->type_name(value)
+      ->group(group);
+}
+
+CLI::Option* add_flag(CLI::App& app, const std::string& name, const std::string& help,
+                      const std::string& group, const std::function<void()>& take) {
+  return app
+      .add_flag_function(
+          name, [take](std::int64_t) { take(); }, wrap(help, kDescription))
+      ->group(group);
+}
+
+CLI::Option* add_input(CLI::App& app, const std::string& name, std::string& path, const std::string& help) {
+  return app.add_option(name, path, wrap(help, kDescription))->required()->type_name("");
+}
+
+void add_input_options(CLI::App& app, InputOptions& input) {
+  const std::string group = "Input";
+  add(app, "--input-format", "NAME",
+      "Format of the input, by name (knotfit formats lists them); default: "
+      "by extension, then content",
+      group, [&](const std::string& t) { input.format = t; });
+  add(app, "--columns", "x,y,z,u,v,w", "What the columns of a text file or array are, in order; - skips one",
+      group, [&](const std::string& t) { input.columns = parse_columns(t); });
+  add(app, "--nodata", "V", "Value that stands for a hole in a raster or an array", group,
+      [&](const std::string& t) { input.nodata = parse_number(t); });
+}
+
+CLI::Option* add_output_options(CLI::App& app, OutputOptions& output, const std::string& what) {
+  const std::string group = "Output";
+  CLI::Option* o = add_repeated(app, "-o,--output", "FILE", what, group,
+                                [&](const std::string& t) { output.paths.push_back(t); });
+  add_flag(app, "--force", "Replace output files that exist", group, [&] { output.force = true; });
+  return o;
+}
+
+void add_threads(CLI::App& app, int& threads) {
+  add(app, "--threads", "N", "Threads; 0 (default): as many as there are cores. Results do not depend on it",
+      "Running", [&](const std::string& t) {
+        const long long n = parse_count(t, 0);
+        if (n > 4096) refuse(t, "a number of threads up to 4096");
+        threads = static_cast<int>(n);
+      });
+}
+
+void add_cell(CLI::App& app, std::optional<std::pair<double, double>>& cell, const std::string& help) {
+  add(app, "--cell", "SIZE", help, "Output", [&](const std::string& t) { cell = parse_cell(t); });
+}
+
+void add_tolerance_options(CLI::App& app, FitChoices& c) {
+  const std::string group = "Tolerance and size";
+  add(app, "--tol", "X|X%",
+      "Largest error allowed: absolute, in the data's unit, or in % of the diagonal of "
+      "the data's bounding box (height fields: of the range of heights). Default, where neither a size nor "
+      "knots are given: 0.1%",
+      group, [&](const std::string& t) { c.tolerance = parse_tolerance(t); });
+  CLI::Option* within = add(app, "--within", "P%",
+                            "The share of the points that must hold the tolerance, such as 99.5%; "
+                            "default 100%: the maximum counts",
+                            group, [&](const std::string& t) { c.measure = parse_percentile(t); });
+  add_flag(app, "--rms", "The root mean square error counts, not the maximum", group, [&] {
+    c.measure = MeasureValue{ErrorMeasure::rms, 1};
+  })->excludes(within);
+  add(app, "--control-points", "NxM",
+      "A fixed size, in control points along u and v. With --tol too: the "
+      "size stays, the tolerance gives the verdict. \"search\" undoes a stored size",
+      group, [&](const std::string& t) {
+        c.control_points = t == "search" ? IntegerPair{0, 0} : parse_pair(t, 2);
+      });
+  add(app, "--degree", "D|DxE", "Degree along u and v, 1 to 9; default 3", group, [&](const std::string& t) {
+    c.degree = parse_pair(t, 1);
+    if (c.degree->first > kMaxDegree || c.degree->second > kMaxDegree) refuse(t, "a degree from 1 to 9");
+  });
+  add(app, "--max-control-points", "N",
+      "Most control points; default: half of the points, for scattered "
+      "data at most 50000",
+      group, [&](const std::string& t) { c.max_control_points = parse_count(t, 1); });
+  add(app, "--max-fits", "N", "Most linear fits of one search; default 3000", group,
+      [&](const std::string& t) { c.max_fits = static_cast<long>(parse_count(t, 1)); });
+  add(app, "--time-limit", "S",
+      "Seconds after which the best surface so far is taken (status time_limit); "
+      "default: none",
+      group, [&](const std::string& t) { c.time_limit = parse_positive(t); });
+}
+
+void add_knot_options(CLI::App& app, FitArguments& fit) {
+  const std::string group = "Knots";
+  FitChoices& c = fit.choices;
+  CLI::Option* method =
+      add(app, "--knots", "METHOD",
+          "How knots are placed (knotfit methods says more): " + method_names() + "; default error-model",
+          group, [&](const std::string& t) { c.knots = KnotSource{.method = t, .given = std::nullopt}; });
+  const auto given = [&c]() -> InteriorKnots& {
+    if (!c.knots || !c.knots->given) c.knots = KnotSource{.method = "", .given = InteriorKnots{}};
+    return *c.knots->given;
+  };
+  CLI::Option* u = add(app, "--knots-u", "A,B,...",
+                       "Interior knots along u, increasing in (0,1); none for "
+                       "none. Parameters run over [0,1]",
+                       group, [=](const std::string& t) { given().u = parse_knots(t); });
+  CLI::Option* v = add(app, "--knots-v", "A,B,...", "The same along v", group,
+                       [=](const std::string& t) { given().v = parse_knots(t); });
+  CLI::Option* from = add(app, "--knots-from", "SURFACE",
+                          "Knots, and unless --degree is given degrees, of a "
+                          "surface.json",
+                          group, [&](const std::string& t) { fit.knots_from = t; });
+  u->needs(v);
+  v->needs(u);
+  CLI::Option* size = app.get_option("--control-points");
+  for (CLI::Option* option : {method, from, size}) option->excludes(u)->excludes(v);
+  from->excludes(method)->excludes(size);
+  CLI::Option* refine =
+      add(app, "--refine", one_of(kRoutes),
+          "How a tolerance is reached: sizes searched, knots placed anew at "
+          "each (search, default), or knot lines inserted where features or errors are large (insert)",
+          group, [&](const std::string& t) { c.refine = parse_named(kRoutes, t); });
+  for (CLI::Option* option : {u, v, from, size}) refine->excludes(option);
+  add(app, "--feature", one_of(kFeatures),
+      "Feature measure of the criterion and of insertion; default hessian", group,
+      [&](const std::string& t) { c.feature = parse_named(kFeatures, t); });
+  add(app, "--smoothing", "X", "Relative smoothing floor of the least squares; default 1e-9", group,
+      [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
+}
+
+void add_data_options(CLI::App& app, FitChoices& c) {
+  const std::string group = "Input";
+  add_input_options(app, c.input);
+  add_flag(app, "--height-field", "Fit z over x, y (always so for rasters)", group,
+           [&] { c.height_field = true; });
+  add(app, "--spacing", one_of(kSpacings), "Parameters of rows and grids of points; default chord", group,
+      [&](const std::string& t) { c.spacing = parse_named(kSpacings, t); });
+  add_flag(app, "--rescale-parameters",
+           "Map the range of u and of v to [0,1]; without it a parameter outside "
+           "[0,1] is an error",
+           group, [&] { c.rescale_parameters = true; });
+  add(app, "--duplicates", one_of(kDuplicateRules),
+      "What becomes of points with equal parameters: their mean, "
+      "the lowest, the highest; default fail: an error where no surface can meet the tolerance at both",
+      group, [&](const std::string& t) { c.duplicates = parse_named(kDuplicateRules, t); });
+}
+
+void add_fit(CLI::App& app, FitArguments& fit) {
+  FitChoices& c = fit.choices;
+  add_input(app, "INPUT", fit.input, "Points with parameters, a raster of heights, rows or grids of points");
+  add_tolerance_options(app, c);
+  add_knot_options(app, fit);
+  add_data_options(app, c);
+  add_output_options(
+      app, fit.output,
+      "May repeat; by extension: .json the surface, .csv the residuals, .asc or .grd the fitted "
+      "heights, .png .svg .pdf a picture");
+  const std::string output = "Output";
+  add_cell(app, c.cell, "Cell size of an .asc output, or two as 30x25; default: the input raster's own grid");
+  add_flag(app, "--fill-holes", "Heights of the surface where the input raster has holes", output,
+           [&] { c.fill_holes = true; });
+  add_flag(app, "--json", "One JSON object on standard output in place of the summary", output,
+           [&] { fit.json = true; });
+  const std::string running = "Running";
+  add(app, "--between", one_of(kSwitch), "Measure the surface between the points too; default on", running,
+      [&](const std::string& t) { c.between = parse_named(kSwitch, t); });
+  add_threads(app, fit.threads);
+  add_flag(app, "--quiet", "No progress and no summary; errors and --json are still printed", running,
+           [&] { fit.quiet = true; });
+  const std::string repeat = "Repeating a fit";
+  add(app, "--options", "FILE",
+      "Repeat the options stored in a surface.json (or in the output of --json); "
+      "the command line wins",
+      repeat, [&](const std::string& t) { fit.options_from = t; });
+  add_flag(app, "--no-height-field", "Undo a stored --height-field", repeat, [&] {
+    c.height_field = false;
+  })->excludes(app.get_option("--height-field"));
+  add_flag(app, "--no-rescale-parameters", "Undo a stored --rescale-parameters", repeat, [&] {
+    c.rescale_parameters = false;
+  })->excludes(app.get_option("--rescale-parameters"));
+  add_flag(app, "--no-fill-holes", "Undo a stored --fill-holes", repeat, [&] {
+    c.fill_holes = false;
+  })->excludes(app.get_option("--fill-holes"));
+}
+
+void add_eval(CLI::App& app, EvalArguments& eval) {
+  add_input(app, "SURFACE", eval.surface, "A surface.json");
+  const std::string where = "Where";
+  CLI::Option* at = add_repeated(app, "--at", "A,B",
+                                 "Parameters u,v, or x,y for a height field, in the coordinates of the "
+                                 "data that was fitted; may repeat",
+                                 where, [&](const std::string& t) { eval.at.push_back(parse_position(t)); });
+  CLI::Option* points = add(app, "--points", "FILE",
+                            "Every point of a file: columns u,v, or x,y (or a raster) for a height field. "
+                            "Where it has values too, the differences: check points never used in the fit",
+                            where, [&](const std::string& t) { eval.points = t; });
+  CLI::Option* grid = add(app, "--grid", "NxM", "N x M places over the whole domain, borders included", where,
+                          [&](const std::string& t) { eval.grid = parse_pair(t, 2); });
+  at->excludes(points)->excludes(grid);
+  points->excludes(grid);
+  add_flag(app, "--clamp", "Move places outside the domain to its border; without it they are an error",
+           where, [&] { eval.clamp = true; });
+  const std::string what = "What";
+  CLI::Option* all =
+      add(app, "--derivatives", "N", "All derivatives up to this order, by the user's coordinates", what,
+          [&](const std::string& t) {
+            const long long n = parse_count(t, 0);
+            if (n > 20) refuse(t, "an order of 0 to 20");
+            eval.derivatives_up_to = static_cast<int>(n);
+          });
+  add_repeated(app, "--derivative", "A,B", "The derivative of order A along u and B along v; may repeat",
+               what, [&](const std::string& t) { eval.derivatives.push_back(parse_orders(t)); })
+      ->excludes(all);
+  add_flag(app, "--normals", "Unit normals (height fields: of the surface in space)", what,
+           [&] { eval.normals = true; });
+  add_flag(app, "--curvature", "Mean, Gaussian and principal curvatures", what,
+           [&] { eval.curvature = true; });
+  add_input_options(app, eval.input);
+  add_output_options(app, eval.output, "A .csv file in place of standard output");
+  add_flag(app, "--json", "One JSON object on standard output: columns, rows, and the differences' summary",
+           "Output", [&] { eval.json = true; });
+  add_threads(app, eval.threads);
+}
+
+void add_info(CLI::App& app, InfoArguments& info) {
+  add_input(app, "FILE", info.file, "A surface.json or a data file");
+  add_input_options(app, info.input);
+  add_flag(app, "--json", "One JSON object", "Output", [&] { info.json = true; });
+}
+
+void add_convert(CLI::App& app, ConvertArguments& convert) {
+  add_input(app, "INPUT", convert.input, "A surface.json or a data file");
+  add_input_options(app, convert.read);
+  add_output_options(
+      app, convert.output,
+      "May repeat. Of a surface: .json, .csv (values on --grid), .asc or .grd (heights; --cell), "
+      ".png .svg .pdf. Of data: .csv (points), .asc or .grd (points that lie on a grid)")
+      ->required();
+  add_cell(app, convert.cell,
+           "Cell size of an .asc output, or two as 30x25; default: the grid of the raster "
+           "that was fitted");
+  add(app, "--grid", "NxM", "Places of a .csv output; default 100x100", "Output",
+      [&](const std::string& t) { convert.grid = parse_pair(t, 2); });
+}
+
+void add_list(CLI::App& app, ListArguments& list) {
+  add_flag(app, "--names", "Names alone, one a line", "Output", [&] { list.names = true; });
+  add_flag(app, "--json", "One JSON array", "Output", [&] { list.json = true; });
+}
+
+}  // namespace
+
+ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  CLI::App app{"B-spline surfaces with the fewest control points that hold a tolerance.", "knotfit"};
+  app.get_formatter()->column_width(kColumn);
+  app.set_version_flag("--version", "knotfit " + std::string(version()), "Print the version");
+  app.set_help_flag("-h,--help", "Print this help");
+  app.require_subcommand(1);
+  app.footer(examples("") + "\nknotfit COMMAND --help says more.\n\n" + exit_statuses());
+
+  const auto command = [&](const std::string& name, const std::string& summary, Command value) {
+    CLI::App* sub = app.add_subcommand(name, summary);
+    sub->callback([&line, value] { line.command = value; });
+    return sub;
+  };
+  CLI::App* fit = command("fit", "Fit one B-spline surface to points or terrain", Command::fit);
+  CLI::App* eval = command("eval", "Values, derivatives and differences of a surface", Command::eval);
+  CLI::App* info = command("info", "What a surface or a data file holds", Command::info);
+  CLI::App* convert = command("convert", "Write a surface or data in another format", Command::convert);
+  CLI::App* methods = command("methods", "List the knot placement methods", Command::methods);
+  CLI::App* formats = command("formats", "List the file formats", Command::formats);
+  add_fit(*fit, line.fit);
+  add_eval(*eval, line.eval);
+  add_info(*info, line.info);
+  add_convert(*convert, line.convert);
+  add_list(*methods, line.list);
+  add_list(*formats, line.list);
+  fit->footer(examples("fit") + "\n" + exit_statuses());
+  for (CLI::App* sub : {eval, info, convert}) sub->footer(examples(sub->get_name()));
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    return {.run = std::nullopt, .text = chosen.empty() ? app.help() : chosen.front()->help()};
+  } catch (const CLI::CallForVersion& e) {
+    return {.run = std::nullopt, .text = std::string(e.what()) + "\n"};
+  } catch (const CLI::ParseError& e) {
+    const auto chosen = app.get_subcommands();
+    throw UsageError(std::string(e.what()) + "; see knotfit " +
+                     (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
+  }
+  return {.run = std::move(line), .text = ""};
+}
+
+}  // namespace knotfit::tool

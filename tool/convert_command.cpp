@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "data_conversion.h"
+#include "exit_status.h"
+#include "input.h"
+#include "knotfit/errors.h"
+#include "knotfit/io.h"
+#include "outputs.h"
+#include "sampling.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The grid of the raster that was fitted, as the surface file tells it: {} where there was none.
+std::optional<Raster> fitted_grid(const SurfaceDocument& document) {
+  const Json result = Json::parse(document.result, nullptr, false);
+  if (!result.is_object() || !result.contains("input")) return std::nullopt;
+  const Json& input = result["input"];
+  if (!input.is_object() || !input.contains("grid") || !input["grid"].is_object()) return std::nullopt;
+  try {
+    const Json& grid = input["grid"];
+    Raster raster;
+    raster.columns = grid.at("columns").get<Index>();
+    raster.rows = grid.at("rows").get<Index>();
+    raster.x0 = grid.at("x0").get<double>();
+    raster.y0 = grid.at("y0").get<double>();
+    raster.dx = grid.at("dx").get<double>();
+    raster.dy = grid.at("dy").get<double>();
+    const bool sound = raster.columns > 0 && raster.rows > 0 && raster.dx > 0 && raster.dy > 0 &&
+                       raster.columns <= 400'000'000 / raster.rows;
+    return sound ? std::optional(raster) : std::nullopt;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+Raster heights(const SurfaceDocument& document, const ConvertArguments& arguments, const std::string& path) {
+  if (!document.height_field)
+    throw InvalidInput(path + ": holds heights over x, y, but the surface is not a height field");
+  std::optional<Raster> grid;
+  if (arguments.cell)
+    grid = grid_over(document.map, *arguments.cell);
+  else
+    grid = fitted_grid(document);
+  if (!grid) throw InvalidInput(path + ": needs --cell SIZE, since the surface was not fitted to a raster");
+  fill_heights(*grid, document.surface, document.map);
+  return *grid;
+}
+
+std::string picture_title(const SurfaceDocument& document, const std::string& path) {
+  const Surface& s = document.surface;
+  return fmt::format("{}: {} x {} control points, degree {} x {}",
+                     std::filesystem::path(path).filename().string(), s.size_u(), s.size_v(), s.degree_u(),
+                     s.degree_v());
+}
+
+void convert_surface(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+  const SurfaceDocument document = read_surface(arguments.input);
+  const bool force = arguments.output.force;
+  for (const OutputFile& file : files) {
+    switch (file.kind) {
+      case OutputKind::surface:
+        write_text_file(file.path, force, to_json(document));
+        break;
+      case OutputKind::table: {
+        const Places places = grid_places(document.map, arguments.grid.value_or(IntegerPair{100, 100}));
+        write_text_file(file.path, force,
+                        to_csv(sample(document, places, parameters_of(places, document.map, true), {})));
+        break;
+      }
+      case OutputKind::raster:
+        write_raster_file(file.path, force, heights(document, arguments, file.path));
+        break;
+      case OutputKind::picture: {
+        PictureInput picture;
+        picture.surface = &document.surface;
+        picture.title = picture_title(document, arguments.input);
+        write_picture_file(file, force, picture);
+        break;
+      }
+    }
+  }
+}
+
+void convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+  for (const OutputFile& file : files)
+    if (file.kind == OutputKind::surface || file.kind == OutputKind::picture)
+      throw InvalidInput(fmt::format("{}: data becomes .csv, .asc or .grd; a {} needs a surface: knotfit fit",
+                                     file.path, file.extension));
+  const SourceData data = read_input(arguments.input, arguments.read);
+  for (const OutputFile& file : files) {
+    if (file.kind == OutputKind::raster)
+      write_raster_file(file.path, arguments.output.force, raster_of(data));
+    else
+      write_text_file(file.path, arguments.output.force, to_csv(points_table(data)));
+  }
+}
+
+}  // namespace
+
+int run_convert(const ConvertArguments& arguments) {
+  const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  if (extension_of(arguments.input) == ".json")
+    convert_surface(arguments, files);
+  else
+    convert_data(arguments, files);
+  std::string text;
+  for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
+  print(text);
+  return kReached;
+}
+
+}  // namespace knotfit::tool

@@ -1,0 +1,250 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "commands.h"
+#include "exit_status.h"
+#include "fit_report.h"
+#include "knotfit/errors.h"
+#include "knotfit/fit_surface.h"
+#include "knotfit/io.h"
+#include "knotfit/threads.h"
+#include "options_json.h"
+#include "outputs.h"
+#include "signals.h"
+#include "terminal_progress.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+constexpr ToleranceValue kDefaultTolerance{0.1, true};
+
+void check_method(const std::string& method) {
+  std::string names;
+  for (const PlacementMethod& m : placement_methods()) {
+    if (m.name == method) return;
+    names += (names.empty() ? "" : ", ") + std::string(m.name);
+  }
+  throw InvalidInput(fmt::format("--knots: there is no method '{}'; there are {}", method, names));
+}
+
+// The options in force: the command line, then what --options stored, then the defaults.
+FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
+  FitChoices c = arguments.choices;
+  if (!arguments.knots_from.empty()) {
+    const Surface surface = read_surface(arguments.knots_from).surface;
+    const auto unit = [](const KnotVector& k) { return k.is_clamped() && k.first() == 0 && k.last() == 1; };
+    if (!unit(surface.knots_u()) || !unit(surface.knots_v()))
+      throw FileError(arguments.knots_from, "--knots-from wants knots that are clamped on [0,1]");
+    c.knots = KnotSource{"", InteriorKnots{surface.knots_u().interior(), surface.knots_v().interior()}};
+    if (!c.degree) c.degree = IntegerPair{surface.degree_u(), surface.degree_v()};
+  }
+  if (!arguments.options_from.empty()) add_stored_options(c, arguments.options_from);
+  if (c.control_points && c.control_points->first == 0) c.control_points.reset();
+  if (!c.knots) c.knots = KnotSource{"error-model", std::nullopt};
+  if (!c.knots->given) check_method(c.knots->method);
+  default_tolerance = !c.tolerance && !c.control_points && !c.knots->given;
+  if (default_tolerance) c.tolerance = kDefaultTolerance;
+  if (!c.measure) c.measure = MeasureValue{};
+  if (!c.degree) c.degree = IntegerPair{3, 3};
+  if (!c.refine) c.refine = RefineRoute::search;
+  if (!c.max_fits) c.max_fits = FitOptions{}.max_fits;
+  if (!c.feature) c.feature = FeatureMeasure::hessian;
+  if (!c.smoothing) c.smoothing = FitOptions{}.smoothing;
+  if (!c.between) c.between = true;
+  if (!c.height_field) c.height_field = false;
+  if (!c.spacing) c.spacing = RowSpacing::chord;
+  if (!c.rescale_parameters) c.rescale_parameters = false;
+  if (!c.duplicates) c.duplicates = DuplicateRule::fail;
+  if (!c.fill_holes) c.fill_holes = false;
+  return c;
+}
+
+FitOptions fit_options(const FitChoices& c) {
+  FitOptions options;
+  if (c.tolerance)
+    options.tolerance = ToleranceRequest{.value = c.tolerance->value,
+                                         .relative = c.tolerance->relative,
+                                         .measure = c.measure->measure,
+                                         .share = c.measure->share};
+  if (c.control_points) {
+    options.control_points_u = c.control_points->first;
+    options.control_points_v = c.control_points->second;
+  }
+  options.knots = c.knots->given;
+  if (!c.knots->given) options.method = c.knots->method;
+  options.route = *c.refine;
+  options.degree_u = c.degree->first;
+  options.degree_v = c.degree->second;
+  options.max_control_points = static_cast<Index>(c.max_control_points.value_or(0));
+  options.max_fits = *c.max_fits;
+  options.smoothing = *c.smoothing;
+  options.feature = *c.feature;
+  options.between = *c.between;
+  return options;
+}
+
+// The grid of an .asc output, checked before the fit: nothing is found out after minutes.
+Raster output_grid(const FitInput& input, const FitChoices& c) {
+  if (!input.points.height_field)
+    throw InvalidInput("an .asc output holds heights over x, y: use --height-field, or leave it out");
+  if (c.cell) return grid_over(input.points.map, *c.cell);
+  if (!input.raster) throw InvalidInput("an .asc output of scattered points needs --cell SIZE");
+  Raster grid = *input.raster;
+  grid.z.clear();
+  return grid;
+}
+
+Raster fitted_heights(Raster grid, const FitResult& result, const FitInput& input, const FitChoices& c) {
+  fill_heights(grid, result.surface, result.map);
+  if (input.raster && !*c.fill_holes) keep_holes(grid, *input.raster);
+  return grid;
+}
+
+// A duplicate that was merged still gets its line: its error is measured like any other.
+std::vector<double> residuals_of_every_point(const FitResult& result, const FitInput& input) {
+  if (input.all_points.size() == 0) return result.errors;
+  return recheck_errors(result.surface, input.all_points);
+}
+
+class FitWriter {
+ public:
+  FitWriter(const FitReport& report, const Raster& grid, bool force)
+      : report_(report), grid_(grid), force_(force) {}
+
+  void write(const OutputFile& file) const {
+    const FitResult& result = report_.result;
+    const FitInput& input = report_.input;
+    switch (file.kind) {
+      case OutputKind::surface:
+        return write_text_file(file.path, force_,
+                               to_json({.surface = result.surface,
+                                        .map = result.map,
+                                        .height_field = result.height_field,
+                                        .options = options_to_json(report_.choices),
+                                        .result = stored_result(report_)}));
+      case OutputKind::table: {
+        const std::vector<double> errors = residuals_of_every_point(result, input);
+        return write_file(file.path, force_,
+                          [&](std::ostream& out) { write_residuals(out, input.every_point(), errors); });
+      }
+      case OutputKind::raster:
+        return write_raster_file(file.path, force_, fitted_heights(grid_, result, input, report_.choices));
+      case OutputKind::picture:
+        return write_picture_file(file, force_, picture());
+    }
+  }
+
+ private:
+  PictureInput picture() const {
+    const FitResult& result = report_.result;
+    PictureInput p;
+    p.surface = &result.surface;
+    p.points = &report_.input.points;
+    p.signed_errors = signed_errors(result.surface, report_.input.points);
+    p.tolerance = result.tolerance;
+    p.title =
+        std::filesystem::path(report_.input.summary.path).filename().string() + ": " + report_line(report_);
+    p.subtitle = "knotfit fit " + options_to_text(report_.choices);
+    p.thin_places = result.between.thin_places;
+    return p;
+  }
+
+  const FitReport& report_;
+  const Raster& grid_;
+  bool force_;
+};
+
+int exit_status(const FitResult& result) {
+  switch (result.status) {
+    case Status::stopped:
+      return kStopped;
+    case Status::failed:
+    case Status::not_run:
+      return kOther;
+    case Status::fixed_size:
+      return kReached;
+    default:
+      return result.reached ? kReached : kNotReached;
+  }
+}
+
+void complain(const std::string& message) {
+  std::fprintf(stderr, "knotfit: %s\n", message.c_str());
+}
+
+// Every file is tried, so that one full disk does not cost the others.
+int write_outputs(const std::vector<OutputFile>& files, const FitWriter& writer, FitReport& report) {
+  int status = kReached;
+  for (const OutputFile& file : files) {
+    try {
+      writer.write(file);
+      report.outputs.push_back(file.path);
+    } catch (const FileError& e) {
+      complain(e.what());
+      if (status == kReached) status = kBadInput;
+    } catch (const WriteError& e) {
+      complain(e.what());
+      status = kOther;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+int run_fit(const FitArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  bool default_tolerance = false;
+  const FitChoices choices = complete(arguments, default_tolerance);
+  const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  StopOnSignal stop;  // before the library's threads
+  set_thread_count(arguments.threads);
+  TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
+
+  terminal.report({.stage = "read"});
+  const FitInput input = read_fit_input(arguments.input, choices);
+  const Raster grid = asks_for(files, OutputKind::raster) ? output_grid(input, choices) : Raster{};
+  if (stop.requested()) {
+    terminal.clear();
+    complain("stopped before there was a surface");
+    return kStopped;
+  }
+
+  Control control;
+  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
+  control.stop = stop.token();
+  control.time_limit = choices.time_limit.value_or(0);
+  FitResult result;
+  try {
+    result = fit_surface(input.points, fit_options(choices), control);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(arguments.input + ": " + e.what());
+  }
+  terminal.report({.stage = "write"});
+
+  FitReport report{.result = result,
+                   .input = input,
+                   .choices = choices,
+                   .default_tolerance = default_tolerance,
+                   .outputs = {}};
+  int status = exit_status(result);
+  if (result.surface.empty() || result.status == Status::failed) {
+    terminal.clear();
+    complain(result.message.empty() ? "no surface was found" : result.message);
+  } else {
+    const int written = write_outputs(files, FitWriter(report, grid, arguments.output.force), report);
+    if (written != kReached) status = written;
+    terminal.clear();
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.peak_memory_bytes = peak_memory_bytes();
+  if (arguments.json)
+    print(report_to_json(report) + "\n");
+  else if (!arguments.quiet)
+    print(report_to_text(report));
+  return status;
+}
+
+}  // namespace knotfit::tool

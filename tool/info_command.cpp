@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "commands.h"
+#include "exit_status.h"
+#include "input.h"
+#include "knotfit/io.h"
+#include "outputs.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Range {
+  const char* name;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  void take(double x) {
+    if (std::isnan(x)) return;
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  bool empty() const { return least > most; }
+};
+
+struct DataFacts {
+  std::string content{}, read_as{};
+  Index points = 0, holes = 0;
+  std::vector<std::pair<std::string, Index>> counts{};
+  std::vector<Range> ranges{};
+};
+
+Range range_of(const char* name, const std::vector<double>& values) {
+  Range range{name};
+  for (const double x : values) range.take(x);
+  return range;
+}
+
+DataFacts facts_of(const Raster& raster) {
+  DataFacts facts{.content = "raster of heights", .read_as = "a height field z over x, y"};
+  facts.counts = {{"columns", raster.columns}, {"rows", raster.rows}};
+  Range x{"x"}, y{"y"};
+  x.take(raster.x(0)), x.take(raster.x(raster.columns - 1));
+  y.take(raster.y(0)), y.take(raster.y(raster.rows - 1));
+  facts.ranges = {x, y, range_of("z", raster.z)};
+  return facts;
+}
+
+DataFacts facts_of(const PointTable& table) {
+  DataFacts facts{.content = "points"};
+  const bool has_xy = !table.x.empty(), has_uv = !table.u.empty();
+  if (has_xy && has_uv)
+    facts.read_as = "points x, y, z with parameters u, v; with --height-field z over x, y";
+  else if (has_uv)
+    facts.read_as = "values z with parameters u, v";
+  else
+    facts.read_as = "with --height-field z over x, y; there are no parameters u, v";
+  const std::pair<const char*, const std::vector<double>*> columns[] = {
+      {"x", &table.x}, {"y", &table.y}, {"z", &table.z},
+      {"u", &table.u}, {"v", &table.v}, {"w", &table.weight}};
+  for (const auto& [name, column] : columns)
+    if (!column->empty()) facts.ranges.push_back(range_of(name, *column));
+  return facts;
+}
+
+DataFacts facts_of(const PointRows& rows) {
+  DataFacts facts{.content = rows.common_length() > 0 ? "grid of points" : "rows of points"};
+  facts.read_as = "a surface through the rows, parameters by --spacing";
+  facts.counts = {{"rows", rows.rows()}};
+  if (rows.common_length() > 0) facts.counts.emplace_back("points_a_row", rows.common_length());
+  facts.ranges = {{"x"}, {"y"}, {"z"}};
+  for (Index k = 0; k < rows.size(); ++k)
+    for (int d = 0; d < 3; ++d) facts.ranges[d].take(rows.xyz[3 * k + d]);
+  return facts;
+}
+
+DataFacts facts_of(const SourceData& data) {
+  DataFacts facts = std::visit([](const auto& content) { return facts_of(content); }, data.content);
+  facts.holes = count_holes(data);
+  facts.points = std::visit(
+      [](const auto& content) {
+        if constexpr (requires { content.size(); })
+          return content.size();
+        else
+          return static_cast<Index>(content.z.size());
+      },
+      data.content);
+  facts.points -= facts.holes;
+  return facts;
+}
+
+std::string data_info(const InfoArguments& arguments) {
+  const SourceData data = read_input(arguments.file, arguments.input);
+  const DataFacts facts = facts_of(data);
+  const Raster* raster = std::get_if<Raster>(&data.content);
+  if (arguments.json) {
+    Json j = {{"kind", "data"},           {"path", data.path},      {"format", data.format},
+              {"content", facts.content}, {"points", facts.points}, {"holes", facts.holes}};
+    for (const auto& [name, count] : facts.counts) j[name] = count;
+    if (raster) j["cell"] = {raster->dx, raster->dy};
+    j["ranges"] = Json::object();
+    for (const Range& r : facts.ranges)
+      j["ranges"][r.name] = r.empty() ? Json(nullptr) : Json{r.least, r.most};
+    j["read_as"] = facts.read_as;
+    return j.dump() + "\n";
+  }
+  std::string text = fmt::format("{}: {} ({})\n", data.path, facts.content, data.format);
+  for (const auto& [name, count] : facts.counts) {
+    std::string shown = name;
+    std::replace(shown.begin(), shown.end(), '_', ' ');
+    text += fmt::format("{}: {}\n", shown, count);
+  }
+  text += fmt::format("points: {}\nholes: {}\n", facts.points, facts.holes);
+  if (raster) text += fmt::format("cell: {} x {}\n", raster->dx, raster->dy);
+  for (const Range& r : facts.ranges)
+    if (!r.empty()) text += fmt::format("{}: {} to {}\n", r.name, r.least, r.most);
+  return text + "fitted as: " + facts.read_as + "\n";
+}
+
+// Bounds of the control net, which hold the surface (convex hull property).
+std::vector<std::pair<double, double>> net_box(const Surface& surface) {
+  const int d = surface.dimension();
+  std::vector<std::pair<double, double>> box(d, {INFINITY, -INFINITY});
+  for (std::size_t k = 0; k < surface.net().size(); ++k) {
+    auto& [least, most] = box[k % d];
+    least = std::min(least, surface.net()[k]);
+    most = std::max(most, surface.net()[k]);
+  }
+  return box;
+}
+
+Json parsed(const std::string& text) {
+  const Json j = Json::parse(text, nullptr, false);
+  return j.is_object() ? j : Json(nullptr);
+}
+
+std::string surface_json(const SurfaceDocument& document, const std::string& path) {
+  const Surface& s = document.surface;
+  const ParameterMap& map = document.map;
+  Json j = {{"kind", "surface"},
+            {"path", path},
+            {"size", {s.size_u(), s.size_v()}},
+            {"control_points", s.control_point_count()},
+            {"degree", {s.degree_u(), s.degree_v()}},
+            {"dimension", s.dimension()},
+            {"height_field", document.height_field}};
+  j["knots"] = {{"u", s.knots_u().knots()}, {"v", s.knots_v().knots()}};
+  j["domain"] = {{map.name_u, {map.u0, map.u1}}, {map.name_v, {map.v0, map.v1}}};
+  j["net_bounds"] = Json::array();
+  for (const auto& [least, most] : net_box(s)) j["net_bounds"].push_back({least, most});
+  j["options"] = parsed(document.options);
+  j["result"] = parsed(document.result);
+  return j.dump() + "\n";
+}
+
+// What the file says of its making; other writers may have left parts out.
+std::string making_text(const SurfaceDocument& document) {
+  const Json result = parsed(document.result);
+  std::string text;
+  if (result.is_object()) {
+    if (result.contains("input") && result["input"].contains("path"))
+      text += fmt::format("fitted to: {}\n", result["input"]["path"].dump());
+    if (result.contains("error") && result["error"].contains("max"))
+      text += fmt::format("error: max {}, rms {}\n", result["error"]["max"].dump(),
+                          result["error"].value("rms", Json()).dump());
+    if (result.contains("status") && result["status"].is_string())
+      text += fmt::format("status: {}: {}\n", result["status"].get<std::string>(),
+                          result.value("message", std::string()));
+  }
+  if (!document.options.empty()) text += "options: " + parsed(document.options).dump() + "\n";
+  return text;
+}
+
+std::string surface_info(const InfoArguments& arguments) {
+  const SurfaceDocument document = read_surface(arguments.file);
+  if (arguments.json) return surface_json(document, arguments.file);
+  const Surface& s = document.surface;
+  const ParameterMap& map = document.map;
+  std::string text = fmt::format(
+      "{}: B-spline surface, {}\n", arguments.file,
+      document.height_field ? "a height field z over x, y" : fmt::format("{} coordinates", s.dimension()));
+  text += fmt::format("{} x {} = {} control points, degree {} x {}\n", s.size_u(), s.size_v(),
+                      s.control_point_count(), s.degree_u(), s.degree_v());
+  text += fmt::format("interior knots: {} along u, {} along v\n", s.knots_u().interior().size(),
+                      s.knots_v().interior().size());
+  text += fmt::format("domain: {} {} to {}, {} {} to {}\n", map.name_u, map.u0, map.u1, map.name_v, map.v0,
+                      map.v1);
+  text += "control net:";
+  for (const auto& [least, most] : net_box(s)) text += fmt::format(" [{}, {}]", least, most);
+  return text + "\n" + making_text(document);
+}
+
+}  // namespace
+
+int run_info(const InfoArguments& arguments) {
+  print(extension_of(arguments.file) == ".json" ? surface_info(arguments) : data_info(arguments));
+  return kReached;
+}
+
+}  // namespace knotfit::tool

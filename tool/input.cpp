@@ -1,0 +1,80 @@
+#include "input.h"
+
+#include <cmath>
+
+#include "knotfit/errors.h"
+#include "knotfit/parameterize.h"
+namespace knotfit::tool {
+namespace {
+
+ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices) {
+  const bool height_field = choices.height_field.value_or(false);
+  if (const Raster* raster = std::get_if<Raster>(&data.content)) return parameterize_height_field(*raster);
+  if (const PointTable* table = std::get_if<PointTable>(&data.content))
+    return height_field ? parameterize_height_field(*table)
+                        : parameterize_given(*table, choices.rescale_parameters.value_or(false));
+  const PointRows& rows = std::get<PointRows>(data.content);
+  return height_field ? parameterize_height_field(table_of(rows))
+                      : parameterize_rows(rows, choices.spacing.value_or(RowSpacing::chord));
+}
+
+}  // namespace
+
+SourceData read_input(const std::string& path, const InputOptions& options) {
+  ReadOptions read;
+  read.format = options.format.value_or("");
+  read.columns = options.columns.value_or(std::vector<std::string>{});
+  read.nodata = options.nodata;
+  return read_data(path, read);
+}
+
+Index count_holes(const SourceData& data) {
+  Index holes = 0;
+  if (const Raster* raster = std::get_if<Raster>(&data.content)) {
+    for (const double z : raster->z) holes += std::isnan(z);
+  } else if (const PointRows* rows = std::get_if<PointRows>(&data.content)) {
+    for (Index k = 0; k < rows->size(); ++k) holes += std::isnan(rows->xyz[3 * k + 2]);
+  }
+  return holes;
+}
+
+PointTable table_of(const PointRows& rows) {
+  PointTable table;
+  for (Index k = 0; k < rows.size(); ++k) {
+    if (std::isnan(rows.xyz[3 * k + 2])) continue;
+    table.x.push_back(rows.xyz[3 * k]);
+    table.y.push_back(rows.xyz[3 * k + 1]);
+    table.z.push_back(rows.xyz[3 * k + 2]);
+    table.line.push_back(rows.line.empty() ? k + 1 : rows.line[k]);
+  }
+  return table;
+}
+
+FitInput read_fit_input(const std::string& path, const FitChoices& choices) {
+  FitInput input;
+  SourceData data = read_input(path, choices.input);
+  input.summary.path = path;
+  input.summary.format = data.format;
+  input.summary.holes = count_holes(data);
+  try {
+    input.points = parameterize(data, choices);
+    // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
+    double tolerance = 0;
+    if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {
+      tolerance = choices.tolerance->value;
+      if (choices.tolerance->relative) tolerance *= bounding_diagonal(input.points) / 100;
+    }
+    const DuplicateRule rule = choices.duplicates.value_or(DuplicateRule::fail);
+    ParameterizedPoints before;
+    if (rule != DuplicateRule::fail) before = input.points;
+    input.summary.duplicates = settle_duplicates(input.points, rule, tolerance);
+    if (input.summary.duplicates > 0) input.all_points = std::move(before);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(path + ": " + e.what());
+  }
+  input.summary.points = input.points.size();
+  if (Raster* raster = std::get_if<Raster>(&data.content)) input.raster = std::move(*raster);
+  return input;
+}
+
+}  // namespace knotfit::tool

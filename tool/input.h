@@ -1,0 +1,42 @@
+// From a data file to points with parameters.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "knotfit/io.h"
+#include "knotfit/points.h"
+#include "knotfit/source_data.h"
+#include "options.h"
+namespace knotfit::tool {
+
+/// What a report says of the input.
+struct InputSummary {
+  std::string path, format;
+  Index points = 0;      ///< fitted
+  Index holes = 0;       ///< cells or points without data
+  Index duplicates = 0;  ///< points dropped since others have their parameters
+};
+
+struct FitInput {
+  InputSummary summary;
+  ParameterizedPoints points;
+  /// The points before duplicates were settled; empty where none was dropped.
+  ParameterizedPoints all_points;
+  std::optional<Raster> raster;  ///< the input itself, where it is one
+  const ParameterizedPoints& every_point() const { return all_points.size() > 0 ? all_points : points; }
+};
+
+/// read_data with the tool's options.
+SourceData read_input(const std::string& path, const InputOptions& options);
+
+/// \param choices  completed: tolerance present unless a size or knots make it absent
+/// \throws FileError, InvalidInput  the message begins with the path
+FitInput read_fit_input(const std::string& path, const FitChoices& choices);
+
+/// Cells or points of `data` that are holes.
+Index count_holes(const SourceData& data);
+
+/// Rows as a table of points, holes left out.
+PointTable table_of(const PointRows& rows);
+
+}  // namespace knotfit::tool

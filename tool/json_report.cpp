@@ -1,0 +1,108 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "fit_report.h"
+#include "knotfit/version.h"
+#include "options_json.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no infinity: null.
+Json number(double x) {
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
+Json error_of(const FitReport& r) {
+  const ErrorSummary& e = r.result.error;
+  const ParameterizedPoints& points = r.input.points;
+  Json worst = nullptr;
+  if (e.worst >= 0 && e.worst < points.size()) {
+    const Index line = points.source.empty() ? e.worst + 1 : points.source[e.worst];
+    worst = {{"index", e.worst}, {"line", line}, {"u", number(e.worst_u)}, {"v", number(e.worst_v)}};
+    if (!r.result.map.identity()) {
+      worst[r.result.map.name_u == "x" ? "x" : "given_u"] = number(r.result.map.from_u(e.worst_u));
+      worst[r.result.map.name_v == "y" ? "y" : "given_v"] = number(r.result.map.from_v(e.worst_v));
+    }
+  }
+  return {{"rms", number(e.rms)},       {"max", number(e.max)}, {"mean", number(e.mean)},
+          {"median", number(e.median)}, {"p95", number(e.p95)}, {"p99", number(e.p99)},
+          {"p995", number(e.p995)},     {"worst", worst}};
+}
+
+Json tolerance_of(const FitReport& r) {
+  if (!r.choices.tolerance) return nullptr;
+  const MeasureValue measure = r.choices.measure.value_or(MeasureValue{});
+  static constexpr const char* kNames[] = {"max", "rms", "percentile"};
+  return {{"value", number(r.result.tolerance)},
+          {"asked", to_text(*r.choices.tolerance)},
+          {"measure", kNames[static_cast<int>(measure.measure)]},
+          {"share", measure.share}};
+}
+
+Json input_of(const FitReport& r) {
+  const InputSummary& s = r.input.summary;
+  Json input = {{"path", s.path},
+                {"format", s.format},
+                {"points", s.points},
+                {"holes", s.holes},
+                {"duplicates", s.duplicates},
+                {"dimension", r.input.points.dimension},
+                {"height_field", r.result.height_field},
+                {"diagonal", number(r.result.diagonal)}};
+  if (const auto& raster = r.input.raster)
+    input["grid"] = {{"columns", raster->columns}, {"rows", raster->rows},     {"x0", number(raster->x0)},
+                     {"y0", number(raster->y0)},   {"dx", number(raster->dx)}, {"dy", number(raster->dy)}};
+  return input;
+}
+
+// The members that a second run repeats.
+void add_outcome(Json& j, const FitReport& r) {
+  const FitResult& result = r.result;
+  const bool measured = result.between.measured;
+  j["error"] = error_of(r);
+  j["between"] = measured ? number(result.between.between) : Json(nullptr);
+  j["bound"] = measured ? number(result.between.bound) : Json(nullptr);
+  j["thin"] = measured ? number(result.between.thin) : Json(nullptr);
+  j["tolerance"] = tolerance_of(r);
+  j["measured"] = number(result.measured);
+  j["reached"] = result.reached;
+  j["status"] = to_string(result.status);
+  j["message"] = result.message;
+  j["method"] = result.method;
+  j["condition"] = number(result.condition);
+  j["noise"] = number(result.noise);
+  j["fits"] = result.fits;
+}
+
+}  // namespace
+
+std::string stored_result(const FitReport& r) {
+  Json j;
+  add_outcome(j, r);
+  j["input"] = input_of(r);
+  j["notes"] = r.result.notes;
+  return j.dump();
+}
+
+std::string report_to_json(const FitReport& r) {
+  const Surface& s = r.result.surface;
+  Json j;
+  j["size"] = {s.empty() ? 0 : s.size_u(), s.empty() ? 0 : s.size_v()};
+  j["control_points"] = s.empty() ? 0 : s.control_point_count();
+  j["degree"] = {s.degree_u(), s.degree_v()};
+  j["knots"] = {{"u", s.knots_u().knots()}, {"v", s.knots_v().knots()}};
+  add_outcome(j, r);
+  j["seconds"] = number(r.seconds);
+  j["peak_memory_bytes"] = r.peak_memory_bytes;
+  j["input"] = input_of(r);
+  j["options"] = Json::parse(options_to_json(r.choices));
+  j["notes"] = r.result.notes;
+  j["outputs"] = r.outputs;
+  j["version"] = version();
+  return j.dump();
+}
+
+}  // namespace knotfit::tool

@@ -1,0 +1,127 @@
+// What the command line asks for, as plain structs. A field without a value was not given.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "knotfit/features.h"
+#include "knotfit/parameterize.h"
+#include "knotfit/place.h"
+#include "knotfit/refine.h"
+#include "knotfit/tolerance.h"
+namespace knotfit::tool {
+
+/// --tol: absolute, or in % of the diagonal (height fields: of the range of heights).
+struct ToleranceValue {
+  double value = 0;
+  bool relative = false;
+};
+
+/// What counts as the error: --rms, --within, default max.
+struct MeasureValue {
+  ErrorMeasure measure = ErrorMeasure::max;
+  double share = 1;  ///< percentile: in (0,1)
+};
+
+struct IntegerPair {
+  int first = 0, second = 0;
+};
+
+/// Where knots come from: a method by name, or given interior knots.
+struct KnotSource {
+  std::string method;  ///< empty: given
+  std::optional<InteriorKnots> given;
+};
+
+/// How a data file is read.
+struct InputOptions {
+  std::optional<std::string> format;
+  std::optional<std::vector<std::string>> columns;
+  std::optional<double> nodata;
+};
+
+/// The options of `fit` that shape its result: stored in every output, repeated by --options.
+struct FitChoices {
+  std::optional<ToleranceValue> tolerance;
+  std::optional<MeasureValue> measure;
+  std::optional<IntegerPair> control_points;
+  std::optional<KnotSource> knots;
+  std::optional<IntegerPair> degree;
+  std::optional<RefineRoute> refine;
+  std::optional<long long> max_control_points;
+  std::optional<long> max_fits;
+  std::optional<double> time_limit;
+  std::optional<FeatureMeasure> feature;
+  std::optional<double> smoothing;
+  std::optional<bool> between;
+  InputOptions input;
+  std::optional<bool> height_field;
+  std::optional<RowSpacing> spacing;
+  std::optional<bool> rescale_parameters;
+  std::optional<DuplicateRule> duplicates;
+  std::optional<std::pair<double, double>> cell;  ///< of .asc outputs: dx, dy
+  std::optional<bool> fill_holes;
+};
+
+struct OutputOptions {
+  std::vector<std::string> paths;
+  bool force = false;
+};
+
+struct FitArguments {
+  std::string input;
+  FitChoices choices;
+  std::string knots_from;    ///< surface file whose knots (and degree) are used
+  std::string options_from;  ///< file whose stored options are repeated
+  OutputOptions output;
+  int threads = 0;
+  bool quiet = false, json = false;
+};
+
+struct EvalArguments {
+  std::string surface;
+  std::vector<std::pair<double, double>> at;
+  std::string points;
+  std::optional<IntegerPair> grid;
+  std::vector<IntegerPair> derivatives;  ///< (a, b) orders
+  std::optional<int> derivatives_up_to;
+  bool normals = false, curvature = false, clamp = false;
+  InputOptions input;
+  OutputOptions output;
+  int threads = 0;
+  bool json = false;
+};
+
+struct InfoArguments {
+  std::string file;
+  InputOptions input;
+  bool json = false;
+};
+
+struct ConvertArguments {
+  std::string input;
+  InputOptions read;
+  std::optional<std::pair<double, double>> cell;
+  std::optional<IntegerPair> grid;
+  OutputOptions output;
+};
+
+struct ListArguments {
+  bool names = false;  ///< names alone, one a line: for shell completion
+  bool json = false;
+};
+
+enum class Command { fit, eval, info, convert, methods, formats };
+
+struct CommandLine {
+  Command command = Command::fit;
+  FitArguments fit;
+  EvalArguments eval;
+  InfoArguments info;
+  ConvertArguments convert;
+  ListArguments list;
+};
+
+}  // namespace knotfit::tool

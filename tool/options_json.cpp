@@ -1,0 +1,246 @@
+#include "options_json.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "knotfit/errors.h"
+#include "knotfit/knot_vector.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// One row of the table: an option's member, and both ways between it and its field.
+struct Row {
+  const char* name;
+  std::function<bool(const FitChoices&)> given;
+  std::function<Json(const FitChoices&)> get;          // of a field that is given
+  std::function<void(FitChoices&, const Json&)> set;   // throws InvalidInput or Json::exception
+  std::function<std::string(const FitChoices&)> text;  // "" for a default
+};
+
+template <class T>
+using Field = std::optional<T> FitChoices::*;
+
+template <class T>
+Row row(const char* name, Field<T> field, std::function<Json(const T&)> get,
+        std::function<T(const Json&)> set, std::function<std::string(const T&)> text) {
+  return {name, [field](const FitChoices& c) { return (c.*field).has_value(); },
+          [field, get](const FitChoices& c) { return get(*(c.*field)); },
+          [field, set](FitChoices& c, const Json& j) { c.*field = set(j); },
+          [field, text](const FitChoices& c) { return text(*(c.*field)); }};
+}
+
+// A name of a fixed list.
+template <class E, std::size_t N>
+Row named(const char* name, Field<E> field, const Named<E> (&table)[N], E usual, const char* option) {
+  return row<E>(
+      name, field, [&table](const E& e) { return Json(name_of(table, e)); },
+      [&table](const Json& j) { return parse_named(table, j.get<std::string>()); },
+      [&table, usual, option](const E& e) {
+        return e == usual ? "" : fmt::format("{} {}", option, name_of(table, e));
+      });
+}
+
+Row flag(const char* name, Field<bool> field, bool usual, const char* option) {
+  return row<bool>(
+      name, field, [](const bool& b) { return Json(b); }, [](const Json& j) { return j.get<bool>(); },
+      [usual, option](const bool& b) { return b == usual ? std::string() : std::string(option); });
+}
+
+Row pair(const char* name, Field<IntegerPair> field, int least, IntegerPair usual, const char* option) {
+  return row<IntegerPair>(
+      name, field,
+      [](const IntegerPair& p) {
+        return Json{p.first, p.second};
+      },
+      [least](const Json& j) {
+        const auto p = j.get<std::array<int, 2>>();
+        return parse_pair(fmt::format("{}x{}", p[0], p[1]), least);
+      },
+      [usual, option](const IntegerPair& p) {
+        if (p.first == usual.first && p.second == usual.second) return std::string();
+        return fmt::format("{} {}x{}", option, p.first, p.second);
+      });
+}
+
+template <class T>
+Row count(const char* name, Field<T> field, T usual, const char* option) {
+  return row<T>(
+      name, field, [](const T& n) { return Json(n); },
+      [](const Json& j) { return static_cast<T>(parse_count(j.dump(), 1)); },
+      [usual, option](const T& n) { return n == usual ? "" : fmt::format("{} {}", option, n); });
+}
+
+Row number(const char* name, Field<double> field, double (*check)(std::string_view), double usual,
+           const char* option) {
+  return row<double>(
+      name, field, [](const double& x) { return Json(x); },
+      [check](const Json& j) { return check(fmt::format("{}", j.get<double>())); },
+      [usual, option](const double& x) { return x == usual ? "" : fmt::format("{} {}", option, x); });
+}
+
+// An option of FitChoices::input.
+template <class T>
+Row input(const char* name, std::optional<T> InputOptions::*field,
+          std::function<std::string(const T&)> text) {
+  return {name, [field](const FitChoices& c) { return (c.input.*field).has_value(); },
+          [field](const FitChoices& c) { return Json(*(c.input.*field)); },
+          [field](FitChoices& c, const Json& j) { c.input.*field = j.get<T>(); },
+          [field, text](const FitChoices& c) { return text(*(c.input.*field)); }};
+}
+
+std::string join(std::span<const double> values) {
+  return fmt::format("{}", fmt::join(values, ","));
+}
+
+// Knots are one choice with three members: the method's name, or "given" and both lists.
+Row knots() {
+  return {"knots", [](const FitChoices& c) { return c.knots.has_value(); },
+          [](const FitChoices& c) -> Json {
+            if (!c.knots->given) return c.knots->method;
+            return Json{{"u", c.knots->given->u}, {"v", c.knots->given->v}};
+          },
+          [](FitChoices& c, const Json& j) {
+            KnotSource source;
+            if (j.is_string()) {
+              source.method = j.get<std::string>();
+            } else {
+              const auto list = [&](const char* name) {
+                return parse_knots(join(j.at(name).get<std::vector<double>>()));
+              };
+              source.given = InteriorKnots{list("u"), list("v")};
+            }
+            c.knots = source;
+          },
+          [](const FitChoices& c) {
+            if (!c.knots->given) return c.knots->method == "error-model" ? "" : "--knots " + c.knots->method;
+            const auto list = [](const std::vector<double>& k) { return k.empty() ? "none" : join(k); };
+            return fmt::format("--knots-u {} --knots-v {}", list(c.knots->given->u), list(c.knots->given->v));
+          }};
+}
+
+Row cell() {
+  using Cell = std::pair<double, double>;
+  return row<Cell>(
+      "cell", &FitChoices::cell,
+      [](const Cell& s) {
+        return Json{s.first, s.second};
+      },
+      [](const Json& j) {
+        const auto s = j.get<std::array<double, 2>>();
+        return parse_cell(fmt::format("{}x{}", s[0], s[1]));
+      },
+      [](const Cell& s) { return fmt::format("--cell {}x{}", s.first, s.second); });
+}
+
+// The table: every option that shapes a result.
+const std::vector<Row>& table() {
+  static const std::vector<Row> rows = {
+      row<ToleranceValue>(
+          "tolerance", &FitChoices::tolerance, [](const ToleranceValue& t) { return Json(to_text(t)); },
+          [](const Json& j) { return parse_tolerance(j.get<std::string>()); },
+          [](const ToleranceValue& t) { return "--tol " + to_text(t); }),
+      row<MeasureValue>(
+          "measure", &FitChoices::measure, [](const MeasureValue& m) { return Json(to_text(m)); },
+          [](const Json& j) { return parse_measure(j.get<std::string>()); },
+          [](const MeasureValue& m) -> std::string {
+            if (m.measure == ErrorMeasure::max) return "";
+            return m.measure == ErrorMeasure::rms ? "--rms" : "--within " + to_text(m);
+          }),
+      pair("control_points", &FitChoices::control_points, 2, {0, 0}, "--control-points"),
+      knots(),
+      pair("degree", &FitChoices::degree, 1, {3, 3}, "--degree"),
+      named("refine", &FitChoices::refine, kRoutes, RefineRoute::search, "--refine"),
+      count<long long>("max_control_points", &FitChoices::max_control_points, 0, "--max-control-points"),
+      count<long>("max_fits", &FitChoices::max_fits, 3000, "--max-fits"),
+      number("time_limit", &FitChoices::time_limit, parse_positive, 0, "--time-limit"),
+      named("feature", &FitChoices::feature, kFeatures, FeatureMeasure::hessian, "--feature"),
+      number("smoothing", &FitChoices::smoothing, parse_not_negative, 1e-9, "--smoothing"),
+      flag("between", &FitChoices::between, true, "--between off"),
+      input<std::string>("input_format", &InputOptions::format,
+                         [](const std::string& f) { return "--input-format " + f; }),
+      input<std::vector<std::string>>(
+          "columns", &InputOptions::columns,
+          [](const std::vector<std::string>& c) { return fmt::format("--columns {}", fmt::join(c, ",")); }),
+      input<double>("nodata", &InputOptions::nodata,
+                    [](const double& v) { return fmt::format("--nodata {}", v); }),
+      flag("height_field", &FitChoices::height_field, false, "--height-field"),
+      named("spacing", &FitChoices::spacing, kSpacings, RowSpacing::chord, "--spacing"),
+      flag("rescale_parameters", &FitChoices::rescale_parameters, false, "--rescale-parameters"),
+      named("duplicates", &FitChoices::duplicates, kDuplicateRules, DuplicateRule::fail, "--duplicates"),
+      cell(),
+      flag("fill_holes", &FitChoices::fill_holes, false, "--fill-holes"),
+  };
+  return rows;
+}
+
+// The "options" member of a file.
+Json stored_options(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(path, std::strerror(errno));
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const Json document = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (document.is_discarded()) throw FileError(path, "is not JSON: no options to repeat");
+  if (!document.is_object() || !document.contains("options") || !document["options"].is_object())
+    throw FileError(path,
+                    "has no \"options\": give a surface.json that knotfit fit wrote, or its --json output");
+  return document["options"];
+}
+
+const Row* find_row(const std::string& name) {
+  for (const Row& r : table())
+    if (name == r.name) return &r;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string options_to_json(const FitChoices& choices) {
+  Json options = Json::object();
+  for (const Row& r : table()) options[r.name] = r.given(choices) ? r.get(choices) : Json(nullptr);
+  return options.dump();
+}
+
+void add_stored_options(FitChoices& choices, const std::string& path) {
+  const bool size_given = choices.control_points.has_value();
+  const bool knots_given = choices.knots && choices.knots->given;
+  for (const auto& [name, value] : stored_options(path).items()) {
+    const Row* found = find_row(name);
+    if (!found) throw FileError(path, "options: \"" + name + "\" is not an option of this version");
+    if (value.is_null() || found->given(choices)) continue;
+    if (name == "knots" && size_given && value.is_object()) continue;  // a size in place of given knots
+    if (name == "control_points" && knots_given) continue;             // and the reverse
+    try {
+      found->set(choices, value);
+    } catch (const InvalidInput& e) {
+      throw FileError(path, "options: \"" + name + "\": " + e.what());
+    } catch (const Json::exception&) {
+      throw FileError(path, "options: \"" + name + "\" has a value of another kind: " + value.dump());
+    }
+  }
+  if (choices.degree && (choices.degree->first > kMaxDegree || choices.degree->second > kMaxDegree))
+    throw FileError(path, "options: \"degree\" is above 9");
+}
+
+std::string options_to_text(const FitChoices& choices) {
+  std::string text;
+  for (const Row& r : table()) {
+    if (!r.given(choices)) continue;
+    const std::string one = r.text(choices);
+    if (one.empty()) continue;
+    if (!text.empty()) text += ' ';
+    text += one;
+  }
+  return text;
+}
+
+}  // namespace knotfit::tool

@@ -1,0 +1,127 @@
+#include "places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "input.h"
+#include "knotfit/errors.h"
+#include "places_file.h"
+namespace knotfit::tool {
+namespace {
+
+Places of_raster(const Raster& raster) {
+  Places places;
+  places.given_dimension = 1;
+  for (Index r = 0; r < raster.rows; ++r)
+    for (Index c = 0; c < raster.columns; ++c) {
+      const double z = raster.z[r * raster.columns + c];
+      if (std::isnan(z)) continue;
+      places.a.push_back(raster.x(c));
+      places.b.push_back(raster.y(r));
+      places.given.push_back(z);
+    }
+  return places;
+}
+
+Places of_table(PointTable table, const SurfaceDocument& document, const std::string& path) {
+  const bool height_field = document.height_field;
+  const int dimension = document.surface.dimension();
+  Places places;
+  places.a = height_field ? table.x : table.u;
+  places.b = height_field ? table.y : table.v;
+  if (places.a.empty())
+    throw InvalidInput(fmt::format(
+        "{}: there are no columns {}; name the columns with --columns", path,
+        height_field ? "x, y: the surface is a height field" : "u, v: the surface is not a height field"));
+  places.line = std::move(table.line);
+  if (dimension == 1) {
+    places.given_dimension = 1;
+    places.given = std::move(table.z);
+  } else if (dimension == 3 && !table.x.empty()) {
+    places.given_dimension = 3;
+    places.given.reserve(3 * table.z.size());
+    for (Index k = 0; k < table.size(); ++k)
+      places.given.insert(places.given.end(), {table.x[k], table.y[k], table.z[k]});
+  }
+  return places;
+}
+
+Places of_file(const EvalArguments& arguments, const SurfaceDocument& document) {
+  const std::string& path = arguments.points;
+  if (auto places = read_places_alone(path, arguments.input, document.height_field))
+    return std::move(*places);
+  SourceData data = read_input(path, arguments.input);
+  Places places;
+  if (const Raster* raster = std::get_if<Raster>(&data.content)) {
+    if (!document.height_field)
+      throw InvalidInput(path + ": holds heights over x, y, but the surface is not a height field");
+    places = of_raster(*raster);
+  } else if (PointRows* rows = std::get_if<PointRows>(&data.content)) {
+    places = of_table(table_of(*rows), document, path);
+  } else {
+    places = of_table(std::move(std::get<PointTable>(data.content)), document, path);
+  }
+  places.source = path;
+  if (places.size() == 0) throw InvalidInput(path + ": holds no places");
+  return places;
+}
+
+// The place in [0,1], or NaN where it is outside by more than the rounding of the map.
+double inside(double value, double parameter, double first, double last, bool clamp) {
+  const double eps = std::numeric_limits<double>::epsilon();
+  const double slack = 4 * eps * (1 + std::max(std::abs(first), std::abs(last)) / (last - first));
+  if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
+  if (!clamp && (parameter < -slack || parameter > 1 + slack))
+    return std::numeric_limits<double>::quiet_NaN();
+  return std::clamp(parameter, 0.0, 1.0);
+}
+
+}  // namespace
+
+Places grid_places(const ParameterMap& map, IntegerPair counts) {
+  Places places;
+  places.source = "--grid";
+  for (int i = 0; i < counts.first; ++i)
+    for (int j = 0; j < counts.second; ++j) {
+      // The ends exactly: the far border is not missed by rounding.
+      places.a.push_back(i + 1 == counts.first ? map.u1 : map.from_u(i / (counts.first - 1.0)));
+      places.b.push_back(j + 1 == counts.second ? map.v1 : map.from_v(j / (counts.second - 1.0)));
+    }
+  return places;
+}
+
+Places find_places(const EvalArguments& arguments, const SurfaceDocument& document) {
+  if (!arguments.points.empty()) return of_file(arguments, document);
+  if (arguments.grid) {
+    if (static_cast<double>(arguments.grid->first) * arguments.grid->second > 1e8)
+      throw InvalidInput("--grid: more than 1e8 places; give fewer");
+    return grid_places(document.map, *arguments.grid);
+  }
+  if (arguments.at.empty()) throw InvalidInput("eval needs places: --at A,B, --points FILE or --grid NxM");
+  Places places;
+  places.source = "--at";
+  for (const auto& [a, b] : arguments.at) {
+    places.a.push_back(a);
+    places.b.push_back(b);
+  }
+  return places;
+}
+
+std::vector<double> parameters_of(const Places& places, const ParameterMap& map, bool clamp) {
+  std::vector<double> uv(2 * places.a.size());
+  for (Index k = 0; k < places.size(); ++k) {
+    uv[2 * k] = inside(places.a[k], map.to_u(places.a[k]), map.u0, map.u1, clamp);
+    uv[2 * k + 1] = inside(places.b[k], map.to_v(places.b[k]), map.v0, map.v1, clamp);
+    if (std::isnan(uv[2 * k]) || std::isnan(uv[2 * k + 1]))
+      throw InvalidInput(fmt::format(
+          "{}{}: {},{} is outside the domain {} in [{}, {}], {} in [{}, {}]; --clamp moves it to the border",
+          places.source, places.line.empty() ? std::string() : fmt::format(":{}", places.line[k]),
+          places.a[k], places.b[k], map.name_u, map.u0, map.u1, map.name_v, map.v0, map.v1));
+  }
+  return uv;
+}
+
+}  // namespace knotfit::tool

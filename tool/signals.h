@@ -1,0 +1,25 @@
+// Ctrl-C: the first asks the work to stop and keep its best, a second ends the program.
+#pragma once
+#include <atomic>
+#include <stop_token>
+#include <thread>
+namespace knotfit::tool {
+
+/// While it lives, SIGINT and SIGTERM request a stop. Make it before other threads start: they
+/// inherit that the signals are blocked, so that only the thread here waits for them.
+class StopOnSignal {
+ public:
+  StopOnSignal();
+  ~StopOnSignal();
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+  std::stop_token token() const { return source_.get_token(); }
+  bool requested() const { return source_.stop_requested(); }
+
+ private:
+  std::stop_source source_;
+  std::atomic<bool> finished_ = false;
+  std::thread waiter_;
+};
+
+}  // namespace knotfit::tool

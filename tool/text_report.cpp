@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "fit_report.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+// "0.00123 (0.12 %)": with the share of the diagonal where there is one.
+std::string error_text(double error, double diagonal) {
+  if (!std::isfinite(error)) return "none";
+  if (!(diagonal > 0)) return fmt::format("{:.4g}", error);
+  return fmt::format("{:.4g} ({:.3g} %)", error, 100 * error / diagonal);
+}
+
+std::string measure_text(const FitChoices& choices) {
+  const MeasureValue m = choices.measure.value_or(MeasureValue{});
+  switch (m.measure) {
+    case ErrorMeasure::max:
+      return "at every point";
+    case ErrorMeasure::rms:
+      return "in root mean square";
+    case ErrorMeasure::percentile:
+      return "at " + to_text(m) + " of the points";
+  }
+  return "";
+}
+
+std::string memory_text(long long bytes) {
+  const double mb = static_cast<double>(bytes) / 1e6;
+  return mb < 1000 ? fmt::format("{:.0f} MB", mb) : fmt::format("{:.2f} GB", mb / 1000);
+}
+
+std::string input_line(const FitReport& r) {
+  const InputSummary& s = r.input.summary;
+  std::string line = fmt::format("{}: {} points", s.path, s.points);
+  if (s.holes > 0) line += fmt::format(", {} holes", s.holes);
+  if (s.duplicates > 0) line += fmt::format(", {} dropped (equal parameters)", s.duplicates);
+  line += r.result.height_field ? ", height field, range of heights" : ", diagonal";
+  return line + fmt::format(" {:.6g}\n", r.result.diagonal);
+}
+
+std::string worst_place(const FitReport& r) {
+  const ErrorSummary& e = r.result.error;
+  const ParameterizedPoints& points = r.input.points;
+  if (e.worst < 0 || e.worst >= points.size()) return "";
+  const ParameterMap& map = r.result.map;
+  const bool from_text = !points.source.empty() && !r.input.raster;
+  const Index line = points.source.empty() ? e.worst + 1 : points.source[e.worst];
+  return fmt::format("at {} {}, {} = {:.6g}, {} = {:.6g}", from_text ? "line" : "point", line, map.name_u,
+                     map.from_u(e.worst_u), map.name_v, map.from_v(e.worst_v));
+}
+
+std::string tolerance_line(const FitReport& r) {
+  if (!r.choices.tolerance) return "tolerance: none asked\n";
+  const ToleranceValue& asked = *r.choices.tolerance;
+  std::string line = "tolerance: " + to_text(asked);
+  if (r.default_tolerance) line += " (the default)";
+  if (asked.relative)
+    line += fmt::format(" = {:.4g}", r.result.tolerance);
+  else if (r.result.diagonal > 0)
+    line += fmt::format(" = {:.3g} %", 100 * asked.value / r.result.diagonal);
+  line += " " + measure_text(r.choices);
+  line += r.result.reached ? ": reached" : fmt::format(": NOT reached ({:.4g})", r.result.measured);
+  return line + "\n";
+}
+
+std::string between_line(const BetweenReport& b, double diagonal) {
+  if (!b.measured) return "";
+  return fmt::format(
+      "between the points: {}, bound {}; too thin to promise anything: {:.3g} % of the domain\n",
+      error_text(b.between, diagonal), error_text(b.bound, diagonal), 100 * b.thin);
+}
+
+}  // namespace
+
+std::string report_line(const FitReport& r) {
+  const Surface& s = r.result.surface;
+  std::string line =
+      fmt::format("{} x {} control points, degree {} x {}, error max {:.3g}, rms {:.3g}", s.size_u(),
+                  s.size_v(), s.degree_u(), s.degree_v(), r.result.error.max, r.result.error.rms);
+  if (r.choices.tolerance)
+    line += fmt::format(", tolerance {:.3g} {}: {}", r.result.tolerance, measure_text(r.choices),
+                        r.result.reached ? "reached" : "not reached");
+  return line;
+}
+
+std::string report_to_text(const FitReport& r) {
+  const FitResult& result = r.result;
+  const Surface& s = result.surface;
+  const double diagonal = result.diagonal;
+  std::string text = input_line(r);
+  if (!s.empty()) {
+    text += fmt::format("surface: {} x {} = {} control points, degree {} x {}, knots by {}\n", s.size_u(),
+                        s.size_v(), s.control_point_count(), s.degree_u(), s.degree_v(), result.method);
+    const ErrorSummary& e = result.error;
+    text += fmt::format("error: max {} {}\n", error_text(e.max, diagonal), worst_place(r));
+    text +=
+        fmt::format("       rms {}, mean {:.4g}, median {:.4g}, 95 % {:.4g}, 99 % {:.4g}, 99.5 % {:.4g}\n",
+                    error_text(e.rms, diagonal), e.mean, e.median, e.p95, e.p99, e.p995);
+    text += tolerance_line(r);
+    text += between_line(result.between, diagonal);
+  }
+  text += fmt::format("status: {}: {}\n", to_string(result.status), result.message);
+  text += fmt::format("{} fits, {:.2f} s, {}", result.fits, r.seconds, memory_text(r.peak_memory_bytes));
+  if (result.condition > 0) text += fmt::format(", condition {:.2g}", result.condition);
+  text += "\n";
+  for (const std::string& note : result.notes) text += "note: " + note + "\n";
+  for (const std::string& path : r.outputs) text += "wrote " + path + "\n";
+  return text;
+}
+
+long long peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<long long>(usage.ru_maxrss) * 1024;  // Linux counts in kilobytes
+}
+
+}  // namespace knotfit::tool

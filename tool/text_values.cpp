@@ -1,0 +1,191 @@
+#include "text_values.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "knotfit/errors.h"
+namespace knotfit::tool {
+namespace {
+
+std::string_view trim(std::string_view text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
+  return text;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(trim(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+template <class T>
+std::optional<T> whole(std::string_view text) {
+  text = trim(text);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> finite(std::string_view text) {
+  const std::optional<double> value = whole<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+bool drop_percent(std::string_view& text) {
+  text = trim(text);
+  if (text.empty() || text.back() != '%') return false;
+  text.remove_suffix(1);
+  return true;
+}
+
+}  // namespace
+
+void refuse(std::string_view text, const std::string& wanted) {
+  throw InvalidInput(fmt::format("'{}' is not {}", text, wanted));
+}
+
+double parse_number(std::string_view text) {
+  const std::optional<double> value = finite(text);
+  if (!value) refuse(text, "a number");
+  return *value;
+}
+
+double parse_positive(std::string_view text) {
+  const std::optional<double> value = finite(text);
+  if (!value || *value <= 0) refuse(text, "a number above 0");
+  return *value;
+}
+
+double parse_not_negative(std::string_view text) {
+  const std::optional<double> value = finite(text);
+  if (!value || *value < 0) refuse(text, "a number of 0 or more");
+  return *value;
+}
+
+long long parse_count(std::string_view text, long long least) {
+  const std::optional<long long> value = whole<long long>(text);
+  if (!value || *value < least) refuse(text, fmt::format("a whole number of {} or more", least));
+  return *value;
+}
+
+ToleranceValue parse_tolerance(std::string_view text) {
+  std::string_view number = text;
+  ToleranceValue tolerance;
+  tolerance.relative = drop_percent(number);
+  const std::optional<double> value = finite(number);
+  if (!value || *value <= 0)
+    refuse(text, "a tolerance: a number above 0 in the data's unit, or in % such as 0.1%");
+  tolerance.value = *value;
+  return tolerance;
+}
+
+MeasureValue parse_percentile(std::string_view text) {
+  std::string_view number = text;
+  const bool percent = drop_percent(number);
+  const std::optional<double> value = finite(number);
+  if (!percent || !value || *value <= 0 || *value > 100)
+    refuse(text, "a share of the points, above 0% and up to 100%, such as 99.5%");
+  if (*value == 100) return {ErrorMeasure::max, 1};
+  return {ErrorMeasure::percentile, *value / 100};
+}
+
+MeasureValue parse_measure(std::string_view text) {
+  if (text == "max") return {ErrorMeasure::max, 1};
+  if (text == "rms") return {ErrorMeasure::rms, 1};
+  return parse_percentile(text);
+}
+
+IntegerPair parse_pair(std::string_view text, int least) {
+  const auto parts = split(text, 'x');
+  const auto first = whole<int>(parts[0]);
+  const auto second = parts.size() == 2 ? whole<int>(parts[1]) : first;
+  if (parts.size() > 2 || !first || !second || *first < least || *second < least)
+    refuse(text, fmt::format("two whole numbers of {} or more such as 40x30, or one for both", least));
+  return {*first, *second};
+}
+
+IntegerPair parse_orders(std::string_view text) {
+  const auto parts = split(text, ',');
+  const auto first = whole<int>(parts[0]);
+  const auto second = parts.size() == 2 ? whole<int>(parts[1]) : std::nullopt;
+  if (!first || !second || *first < 0 || *second < 0 || *first > 20 || *second > 20)
+    refuse(text, "two orders of differentiation of 0 to 20 such as 1,0");
+  return {*first, *second};
+}
+
+std::pair<double, double> parse_position(std::string_view text) {
+  const auto parts = split(text, ',');
+  const auto first = finite(parts[0]);
+  const auto second = parts.size() == 2 ? finite(parts[1]) : std::nullopt;
+  if (!first || !second) refuse(text, "two numbers such as 0.25,0.5");
+  return {*first, *second};
+}
+
+std::pair<double, double> parse_cell(std::string_view text) {
+  const auto parts = split(text, 'x');
+  const auto first = finite(parts[0]);
+  const auto second = parts.size() == 2 ? finite(parts[1]) : first;
+  if (parts.size() > 2 || !first || !second || *first <= 0 || *second <= 0)
+    refuse(text, "a cell size above 0 such as 30, or two such as 30x25");
+  return {*first, *second};
+}
+
+std::vector<double> parse_knots(std::string_view text) {
+  std::vector<double> knots;
+  if (trim(text).empty() || text == "none") return knots;
+  for (const std::string_view part : split(text, ',')) {
+    const std::optional<double> knot = finite(part);
+    if (!knot || *knot <= 0 || *knot >= 1 || (!knots.empty() && *knot < knots.back()))
+      refuse(part, "the next interior knot: give increasing numbers inside (0,1) such as 0.2,0.5, or none");
+    knots.push_back(*knot);
+  }
+  return knots;
+}
+
+std::vector<std::string> parse_columns(std::string_view text) {
+  std::vector<std::string> columns;
+  for (const std::string_view part : split(text, ',')) {
+    if (part != "x" && part != "y" && part != "z" && part != "u" && part != "v" && part != "w" && part != "-")
+      refuse(part, "a column: give x, y, z, u, v, w or - (skip) for each, such as x,y,z,u,v");
+    if (part != "-")
+      for (const std::string& other : columns)
+        if (other == part) throw InvalidInput(fmt::format("column '{}' is given twice", part));
+    columns.emplace_back(part);
+  }
+  return columns;
+}
+
+std::string to_text(const ToleranceValue& tolerance) {
+  return fmt::format("{}{}", tolerance.value, tolerance.relative ? "%" : "");
+}
+
+std::string to_text(const MeasureValue& measure) {
+  if (measure.measure == ErrorMeasure::max) return "max";
+  if (measure.measure == ErrorMeasure::rms) return "rms";
+  // The shortest percentage that reads back to the same share.
+  for (int digits = 3; digits < 17; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", 100 * measure.share, digits);
+    if (finite(text).value_or(0) / 100 == measure.share) return text + "%";
+  }
+  return fmt::format("{}%", 100 * measure.share);
+}
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+}  // namespace knotfit::tool

@@ -1,0 +1,86 @@
+// Values as they are written on the command line and in stored options.
+#pragma once
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "options.h"
+namespace knotfit::tool {
+
+/// One name of an enumeration, as the command line and the stored options spell it.
+template <class E>
+struct Named {
+  E value;
+  std::string_view name;
+};
+inline constexpr Named<RefineRoute> kRoutes[] = {{RefineRoute::search, "search"},
+                                                 {RefineRoute::insert, "insert"}};
+inline constexpr Named<FeatureMeasure> kFeatures[] = {{FeatureMeasure::hessian, "hessian"},
+                                                      {FeatureMeasure::curvature, "curvature"}};
+inline constexpr Named<RowSpacing> kSpacings[] = {
+    {RowSpacing::chord, "chord"}, {RowSpacing::centripetal, "centripetal"}, {RowSpacing::uniform, "uniform"}};
+inline constexpr Named<DuplicateRule> kDuplicateRules[] = {{DuplicateRule::fail, "fail"},
+                                                           {DuplicateRule::mean, "mean"},
+                                                           {DuplicateRule::lowest, "lowest"},
+                                                           {DuplicateRule::highest, "highest"}};
+inline constexpr Named<bool> kSwitch[] = {{true, "on"}, {false, "off"}};
+
+// Every function below throws InvalidInput that quotes the text and says what is wanted.
+
+double parse_number(std::string_view text);
+double parse_positive(std::string_view text);
+double parse_not_negative(std::string_view text);
+long long parse_count(std::string_view text, long long least);
+/// "0.1%" or "0.05"; > 0.
+ToleranceValue parse_tolerance(std::string_view text);
+/// "max", "rms" or a percentile as parse_percentile.
+MeasureValue parse_measure(std::string_view text);
+/// "99.5%", in (0,100]; 100% is max.
+MeasureValue parse_percentile(std::string_view text);
+/// "40x30", or "40" for both; each at least `least`.
+IntegerPair parse_pair(std::string_view text, int least);
+/// "a,b".
+IntegerPair parse_orders(std::string_view text);
+std::pair<double, double> parse_position(std::string_view text);
+/// "10" or "10x20", > 0.
+std::pair<double, double> parse_cell(std::string_view text);
+/// "0.2,0.5", increasing inside (0,1); "none" or nothing: no knots.
+std::vector<double> parse_knots(std::string_view text);
+/// "x,y,z,-,u,v".
+std::vector<std::string> parse_columns(std::string_view text);
+
+template <class E, std::size_t N>
+std::string one_of(const Named<E> (&table)[N], std::string_view separator = "|") {
+  std::string names;
+  for (const auto& entry : table) {
+    if (!names.empty()) names += separator;
+    names += entry.name;
+  }
+  return names;
+}
+
+[[noreturn]] void refuse(std::string_view text, const std::string& wanted);
+
+template <class E, std::size_t N>
+E parse_named(const Named<E> (&table)[N], std::string_view text) {
+  for (const auto& entry : table)
+    if (entry.name == text) return entry.value;
+  refuse(text, "one of " + one_of(table, ", "));
+}
+
+template <class E, std::size_t N>
+std::string_view name_of(const Named<E> (&table)[N], E value) {
+  for (const auto& entry : table)
+    if (entry.value == value) return entry.name;
+  return "";
+}
+
+/// The text that parse_tolerance, parse_measure read back to the same value.
+std::string to_text(const ToleranceValue& tolerance);
+std::string to_text(const MeasureValue& measure);
+
+/// Extension in lower case with its dot; empty where there is none.
+std::string extension_of(const std::string& path);
+
+}  // namespace knotfit::tool
