@@ -43,9 +43,9 @@ void basis_derivatives(const KnotVector& knots, Index span, double x, int order,
     double saved = 0;
     for (int r = 0; r < j; ++r) {
       ndu[j][r] = right[r + 1] + left[j - r];
-      const double part = ndu[r][j - 1] / ndu[j][r];
-      ndu[r][j] = saved + right[r + 1] * part;
-      saved = left[j - r] * part;
+      const double whole = ndu[r][j - 1], part = whole / ndu[j][r];  // as in basis_lanes
+      ndu[r][j] = saved + (left[j - r] == 0 ? whole : right[r + 1] * part);
+      saved = right[r + 1] == 0 ? whole : left[j - r] * part;
     }
     ndu[j][j] = saved;
   }

@@ -4,7 +4,8 @@
 #include "knotfit/knot_vector.h"
 namespace knotfit {
 
-/// [Piegl97 A2.2].
+/// [Piegl97 A2.2]. At a knot, a * (1 / a) would miss 1 by a rounding: the share is taken whole, so
+/// that a surface meets its corner control points exactly.
 /// \param t       at the span's first knot: t[1 - degree .. degree] are read
 /// \param x       W parameters
 /// \param values  (degree + 1) x W, written
@@ -23,9 +24,10 @@ inline void basis_lanes(const double* t, int degree, const double* x, double* va
       double* value = values + r * W;
       const double *a = right[r + 1], *b = left[j - r];
       for (int l = 0; l < W; ++l) {
-        const double part = value[l] / (a[l] + b[l]);
-        value[l] = saved[l] + a[l] * part;
-        saved[l] = b[l] * part;
+        const double whole = value[l], part = whole / (a[l] + b[l]);
+        const double to_a = a[l] * part, to_b = b[l] * part;
+        value[l] = saved[l] + (b[l] == 0 ? whole : to_a);
+        saved[l] = a[l] == 0 ? whole : to_b;
       }
     }
     for (int l = 0; l < W; ++l) values[j * W + l] = saved[l];
