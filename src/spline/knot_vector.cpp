@@ -89,12 +89,18 @@ bool KnotVector::is_clamped() const {
 }
 
 Index KnotVector::find_span(double x) const {
-  const auto begin = knots_.begin() + degree_, end = knots_.begin() + size();
+  const double* const t = knots_.data();
   // The last span is closed: at its end, the span that ends there.
-  if (x >= last()) return std::lower_bound(begin, end, last()) - knots_.begin() - 1;
-  // A NaN, too, must land in a span that exists.
-  if (!(x > first())) return std::upper_bound(begin, end, first()) - knots_.begin() - 1;
-  return std::upper_bound(begin, end, x) - knots_.begin() - 1;
+  if (x >= last()) return std::lower_bound(t + degree_, t + size(), last()) - t - 1;
+  if (!(x > first())) x = first();  // a NaN, too, must land in a span that exists
+  // Last knot <= x, without branches that random parameters would mispredict.
+  const double* at = t + degree_;
+  for (Index left = size() - degree_; left > 1;) {
+    const Index half = left / 2;
+    at += at[half] <= x ? half : 0;
+    left -= half;
+  }
+  return at - t;
 }
 
 Index KnotVector::span_count() const {
