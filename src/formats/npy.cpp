@@ -101,7 +101,7 @@ PointTable read_points(const FileBytes& file, const NpyHeader& header, std::span
   bool holes = false;
   for (Index i = 0; i < n; ++i) {
     // A point whose coordinates are all NaN, or whose z is the nodata value, is a hole.
-    bool hole = true;
+    bool hole = false, seen = false;
     for (Index j = 0; j < columns; ++j) {
       const Role role = roles[static_cast<std::size_t>(j)];
       if (role > Role::z) continue;
@@ -109,7 +109,8 @@ PointTable read_points(const FileBytes& file, const NpyHeader& header, std::span
         hole = true;
         break;
       }
-      hole = hole && std::isnan(item(i, j));
+      hole = (hole || !seen) && std::isnan(item(i, j));
+      seen = true;
     }
     if (hole) {
       if (!holes)

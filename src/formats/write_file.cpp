@@ -67,9 +67,10 @@ Target find_target(const std::string& path, bool force) {
   Target target;
   target.file = path;
   std::error_code error;
-  if (fs::is_symlink(target.file, error)) {
-    const fs::path resolved = fs::weakly_canonical(target.file, error);
-    if (!error) target.file = resolved;
+  for (int links = 0; fs::is_symlink(target.file, error); ++links) {
+    if (links == 40) throw FileError(path, "cannot be written: " + reason(ELOOP));
+    target.file = target.file.parent_path() / fs::read_symlink(target.file, error);
+    if (error) throw FileError(path, "cannot be written: " + error.message());
   }
   target.folder = target.file.parent_path();
   if (target.folder.empty()) target.folder = ".";
