@@ -144,7 +144,7 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
   const double found = verify::find_noise(distinct, plain, options.seed);
   const double noise = found > kNoise * tolerance ? found : 0;
 
-  verify::Random random(options.seed);
+  verify::Random random(options.seed, verify::Random::Stream::places);
   std::vector<Place> places(static_cast<std::size_t>(options.random_places));
   for (Place& p : places) p[0] = random(), p[1] = random();
   if (watch.over()) return {};

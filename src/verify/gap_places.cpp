@@ -52,7 +52,7 @@ class Density {
 
 std::vector<Candidate> candidates(Index cells, unsigned long long seed) {
   std::vector<Candidate> result;
-  Random random(seed);
+  Random random(seed, Random::Stream::gaps);
   const double step = 1 / static_cast<double>(cells);
   for (double u : {0.0, 1.0})
     for (double v : {0.0, 1.0}) result.push_back({u, v, kBorder});

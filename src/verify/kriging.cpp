@@ -36,12 +36,12 @@ Index least_points(int degree) {
 
 struct Kriging::Work {
   Index k = 0, q = 0;  // points, polynomials
-  MatrixXd values;     // k x components, rows times root_weight where weighted
-  ArrayXd x, y, root_weight;
-  bool weighted = false;
-  MatrixXd kernel;    // K, lower half
-  VectorXd to_place;  // b
-  MatrixXd basis;     // P
+  MatrixXd values;     // k x components, rows times the root of their weight where those differ
+  ArrayXd x, y;
+  double noise_unit = 1;  // noise of a row of `values` over that of a point of weight 1
+  MatrixXd kernel;        // K, lower half
+  VectorXd to_place;      // b
+  MatrixXd basis;         // P
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
   MatrixXd reflectors, block;  // Q = I - V T V^T
   MatrixXd projected;          // G = Q_2^T K Q_2, lower half; Q_2 spans the complement of P's columns
@@ -167,18 +167,17 @@ int Kriging::set(const Stencil& stencil, int degree) {
   if (degree == 0) return 0;
   w.values = Eigen::Map<const MatrixXd>(stencil.values.data(), stencil.components, w.k).transpose();
   w.fill_kernel(degree);
-  w.weighted = !stencil.weights.empty() &&
-               std::ranges::any_of(stencil.weights, [&](double t) { return t != stencil.weights[0]; });
-  w.root_weight.resize(0);
-  if (!stencil.weights.empty()) {
+  const std::span<const double> weights = stencil.weights;
+  w.noise_unit = weights.empty() ? 1 : 1 / std::sqrt(weights[0]);
+  if (std::ranges::any_of(weights, [&](double t) { return t != weights[0]; })) {
     // Rows times the root of the weight have noise of one variance: the same problem with D K D, D P, D Z.
-    const auto weights = Eigen::Map<const ArrayXd>(stencil.weights.data(), w.k);
-    w.root_weight = weights.max(weights.maxCoeff() / kWeightRatio).sqrt();
-    const auto d = w.root_weight.matrix().asDiagonal();
-    w.kernel = d * w.kernel * d;
-    w.to_place = d * w.to_place;
-    w.values = d * w.values;
-    w.qr.compute(d * w.basis);
+    const auto all = Eigen::Map<const ArrayXd>(weights.data(), w.k);
+    const VectorXd d = all.max(all.maxCoeff() / kWeightRatio).sqrt();
+    w.kernel = d.asDiagonal() * w.kernel * d.asDiagonal();
+    w.to_place = d.asDiagonal() * w.to_place;
+    w.values = d.asDiagonal() * w.values;
+    w.qr.compute(d.asDiagonal() * w.basis);
+    w.noise_unit = 1;
   }
   w.project();
   return degree;
@@ -199,6 +198,7 @@ double Kriging::Work::finish(double squares, double right_squares, double nugget
 double Kriging::predict(double noise, std::span<double> value) {
   Work& w = *work_;
   const Index m = w.k - w.q;
+  noise *= w.noise_unit;
   if (noise > 0) {
     w.make_tridiagonal();
     double nugget = 0;
@@ -227,7 +227,7 @@ double Kriging::predict(double noise, std::span<double> value) {
 double Kriging::likely_noise() {
   work_->make_tridiagonal();
   double nugget = 0;
-  return work_->profile(0, nugget);
+  return work_->profile(0, nugget) / work_->noise_unit;
 }
 
 void Kriging::Work::make_tridiagonal() {

@@ -10,7 +10,7 @@ namespace verify {
 double find_noise(const DistinctPoints& points, const Neighbours& neighbours, unsigned long long seed,
                   Index stencils) {
   if (points.size() < shape_for({1, 30}, 30).points) return 0;
-  Random random(seed);
+  Random random(seed, Random::Stream::noise);
   std::vector<Index> centre(static_cast<std::size_t>(stencils));
   for (Index& k : centre) k = static_cast<Index>(random() * static_cast<double>(points.size()));
   std::vector<double> found(centre.size(), -1);
