@@ -28,6 +28,8 @@ void validate(const ParameterizedPoints& points) {
                     points.uv.size(), points.values.size(), points.dimension));
   if (!points.weights.empty() && points.weights.size() != static_cast<std::size_t>(n))
     throw InvalidInput(fmt::format("{} weights for {} points", points.weights.size(), n));
+  if (!points.source.empty() && points.source.size() != static_cast<std::size_t>(n))
+    throw InvalidInput(fmt::format("{} source lines for {} points", points.source.size(), n));
   for (Index k = 0; k < n; ++k) {
     const double u = points.u(k), v = points.v(k);
     if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1))
@@ -65,6 +67,7 @@ GridLayout find_grid(const ParameterizedPoints& points) {
     t.erase(std::unique(t.begin(), t.end()), t.end());
     return t;
   };
+  if (n == 0) return {};
   grid.u = lines(0);
   if (n % static_cast<Index>(grid.u.size()) != 0 || grid.u.size() < 2) return {};
   grid.v = lines(1);
