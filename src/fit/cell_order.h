@@ -25,11 +25,19 @@ class CellOrder {
   Index size() const { return static_cast<Index>(input_.size()); }
   int dimension() const { return dimension_; }
   // By position in cell order:
+  /// Place in the stored order, which no knots change: residuals and weights are kept in it.
+  Index stored(Index k) const { return order_[k]; }
   double outer(Index k) const { return outer_[k]; }  ///< local coordinate in [-1,1]
   double inner(Index k) const { return inner_[k]; }
   const double* value(Index k) const { return values_.data() + Index{order_[k]} * dimension_; }
   double weight(Index k) const { return weights_.empty() ? 1.0 : weights_[order_[k]]; }
-  Index input(Index k) const { return input_[order_[k]]; }  ///< index in the points given
+  // By place in the stored order:
+  Index input(Index i) const { return input_[i]; }  ///< index in the points given
+  double stored_u(Index i) const { return u_[i]; }
+  double stored_v(Index i) const { return v_[i]; }
+  const double* stored_value(Index i) const { return values_.data() + i * dimension_; }
+  const std::vector<double>& weights() const { return weights_; }  ///< empty: all 1
+  void set_weights(std::vector<double> weights) { weights_ = std::move(weights); }
   const std::vector<CellPiece>& pieces() const { return pieces_; }
   /// Pieces of cell c: pieces()[piece_start()[c] .. piece_start()[c+1]).
   const std::vector<Index>& piece_start() const { return piece_start_; }

@@ -118,7 +118,7 @@ ResidualSums GriddedBackend::residuals(const std::vector<double>& net) {
         residual_[at] = value - values_[at];
         square += residual_[at] * residual_[at];
       }
-      sums[i] += {square, square};
+      sums[i] += {square, square, square};
     }
   });
   ResidualSums total;

@@ -60,7 +60,7 @@ template <class Counts>
     legendre_values(order.inner(k), n.wi, q);
     const double w = order.weight(k);
     for (int e = 0; e < dimension; ++e) {
-      const double wx = w * x[k * dimension + e];
+      const double wx = w * x[order.stored(k) * dimension + e];
       double* r = rhs + e * n.wo * n.wi;
       for (int a = 0; a < n.wo; ++a) {
         const double wp = wx * p[a];
@@ -87,7 +87,7 @@ template <class Counts>
         for (int b = 0; b < n.wi; ++b) row += ce[a * n.wi + b] * q[b];
         sum += row * p[a];
       }
-      x[k * dimension + e] = sum - value[e];
+      x[order.stored(k) * dimension + e] = sum - value[e];
     }
   }
 }

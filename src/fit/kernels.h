@@ -14,11 +14,11 @@ inline int padded(int count) {
 void add_moments(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
                  double* matrix, double* rhs);
 
-/// The right-hand side alone, for values x (cell order, n x dimension).
+/// The right-hand side alone, for values x (stored order, n x dimension).
 void add_rhs_moments(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
                      const double* x, double* rhs);
 
-/// x[k*dimension + e] = sum_ab c[(e * wo + a) * wi + b] P_a(t) P_b(s) - value, for the piece.
+/// x[e] of each point (stored order) = sum_ab c[(e * wo + a) * wi + b] P_a(t) P_b(s) - value, for the piece.
 void add_residuals(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
                    const double* c, double* x);
 

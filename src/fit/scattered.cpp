@@ -223,9 +223,8 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
         for (Index p = start[cell]; p < start[cell + 1]; ++p) {
           add_residuals(order_, pieces[p], outer.degree(), inner.degree(), local.data(), residual_.data());
           for (Index k = pieces[p].begin; k < pieces[p].end; ++k) {
-            double square = 0;
-            for (int e = 0; e < d; ++e) square += residual_[k * d + e] * residual_[k * d + e];
-            sums[p] += {square, square};
+            const double square = squared(order_.stored(k));
+            sums[p] += {square, order_.weight(k) * square, square};
           }
         }
       }
@@ -237,15 +236,17 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
   return total;
 }
 
-std::vector<double> ScatteredBackend::errors() const {
+double ScatteredBackend::squared(Index stored) const {
   const int d = order_.dimension();
+  double square = 0;
+  for (int e = 0; e < d; ++e) square += residual_[stored * d + e] * residual_[stored * d + e];
+  return square;
+}
+
+std::vector<double> ScatteredBackend::errors() const {
   std::vector<double> errors(order_.size());
   parallel_chunks(order_.size(), [&](Index, Index begin, Index end) {
-    for (Index k = begin; k < end; ++k) {
-      double square = 0;
-      for (int e = 0; e < d; ++e) square += residual_[k * d + e] * residual_[k * d + e];
-      errors[order_.input(k)] = std::sqrt(square);
-    }
+    for (Index i = begin; i < end; ++i) errors[order_.input(i)] = std::sqrt(squared(i));
   });
   return errors;
 }

@@ -17,9 +17,16 @@ class ScatteredBackend final : public FitBackend {
   std::vector<double> errors() const override;
   double condition() const override { return matrix_.condition(norm_); }
 
+  const CellOrder& points() const { return order_; }
+  /// Weights of the next fits, in the stored order.
+  void set_weights(std::vector<double> weights) { order_.set_weights(std::move(weights)); }
+  /// S - P of the last residuals() call, in the stored order.
+  const std::vector<double>& residual() const { return residual_; }
+
  private:
   std::vector<double> project(bool residual);
   void add_smoothing(double relative);
+  double squared(Index stored) const;  ///< |r|^2
 
   CellOrder order_;
   const Axis* u_ = nullptr;
@@ -30,7 +37,7 @@ class ScatteredBackend final : public FitBackend {
   BandMatrix matrix_;
   double norm_ = 0;
   std::vector<double> moments_;   ///< a piece: outer moments x padded inner moments
-  std::vector<double> residual_;  ///< cell order, n x dimension
+  std::vector<double> residual_;  ///< stored order, n x dimension
   std::vector<double> data_rhs_;  ///< A^T W P, gathered in the pass that makes the moments
 };
 
