@@ -20,8 +20,9 @@ void check(const Curve& c) {
 /// sum_i B_i c_i over the functions of one span.
 void blend(const Curve& c, Index span, const double* basis, double* out) {
   const double one = 1;
-  contract<1>(basis, c.degree(), &one, 0, c.control_points().data() + (span - c.degree()) * c.dimension(),
-              c.dimension(), c.dimension(), out);
+  contract<double>(basis, c.degree(), &one, 0,
+                   c.control_points().data() + (span - c.degree()) * c.dimension(), c.dimension(),
+                   c.dimension(), out);
 }
 
 }  // namespace

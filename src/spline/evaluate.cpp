@@ -26,9 +26,9 @@ void evaluate_one(const Surface& s, double u, double v, int derivative_u, int de
   v = clamp_to_domain(kv, v);
   const Index i = ku.find_span(u), j = kv.find_span(v);
   const BasisRow bu = basis_row(ku, i, u, derivative_u), bv = basis_row(kv, j, v, derivative_v);
-  contract<1>(bu.data(), ku.degree(), bv.data(), kv.degree(),
-              s.control_point(i - ku.degree(), j - kv.degree()).data(), s.size_v() * s.dimension(),
-              s.dimension(), out);
+  contract<double>(bu.data(), ku.degree(), bv.data(), kv.degree(),
+                   s.control_point(i - ku.degree(), j - kv.degree()).data(), s.size_v() * s.dimension(),
+                   s.dimension(), out);
 }
 
 void evaluate(const Surface& s, double u, double v, std::span<double> out) {
@@ -61,8 +61,8 @@ std::vector<double> evaluate_derivatives(const Surface& s, double u, double v, i
   const double* net = s.control_point(i - p, j - q).data();
   for (int a = 0; a <= order_u; ++a)
     for (int b = 0; b <= std::min(order - a, order_v); ++b)
-      contract<1>(bu.data() + a * (p + 1), p, bv.data() + b * (q + 1), q, net, s.size_v() * s.dimension(),
-                  s.dimension(), entry(a, b));
+      contract<double>(bu.data() + a * (p + 1), p, bv.data() + b * (q + 1), q, net,
+                       s.size_v() * s.dimension(), s.dimension(), entry(a, b));
   return result;
 }
 

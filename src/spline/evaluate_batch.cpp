@@ -1,7 +1,7 @@
 // Many parameters at once: sorted by knot cell, then kLanes of one cell side by side.
 #include <fmt/format.h>
 
-#include <limits>
+#include <cstring>
 
 #include "base/parallel.h"
 #include "knotfit/errors.h"
@@ -10,45 +10,114 @@
 #include "spline/contraction.h"
 #include "spline/evaluation.h"
 #include "spline/parameter_basis.h"
+
+// The same code for wider registers, chosen when the program starts. No fused operations
+// (-ffp-contract=off), so the bits are the same. The sanitizers do not know such choices.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(KNOTFIT_SANITIZED)
+#define KNOTFIT_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define KNOTFIT_WIDE
+#endif
+
 namespace knotfit {
 namespace {
 
-constexpr int kLanes = 8;
+constexpr Index kLeastBlock = 32768;
 
-/// Points in the order of their knot cells.
+/// Which derivative, of which surface.
+struct Task {
+  const Surface& s;
+  int derivative_u, derivative_v;
+};
+
+/// Points in the order of their knot cells, with their parameters clamped to the domain.
 struct SortedPoints {
   std::vector<Index> order;  ///< point at each place
-  std::vector<Index> cell;   ///< cell of each point, span_u * size_v + span_v; -1 for a NaN
+  std::vector<Index> cell;   ///< its cell, span_u * size_v + span_v; -1 for a NaN
+  std::vector<double> uv;
 };
 
 SortedPoints sort_by_cell(const Surface& s, std::span<const double> uv) {
-  const Index n = static_cast<Index>(uv.size() / 2), cells = s.control_point_count();
-  SortedPoints sorted;
-  sorted.cell.resize(static_cast<std::size_t>(n));
-  parallel_chunks(n, [&](Index, Index begin, Index end) {
-    for (Index k = begin; k < end; ++k) {
-      const double u = uv[2 * k], v = uv[2 * k + 1];
-      sorted.cell[k] = std::isnan(u) || std::isnan(v)
-                           ? -1
-                           : s.knots_u().find_span(u) * s.size_v() + s.knots_v().find_span(v);
-    }
-  });
-  std::vector<Index> place(static_cast<std::size_t>(cells) + 2, 0);  // counting sort, NaN first
-  for (Index cell : sorted.cell) ++place[cell + 2];
+  const std::size_t n = uv.size() / 2;
+  std::vector<Index> cell(n), place(static_cast<std::size_t>(s.control_point_count()) + 2, 0);
+  for (std::size_t k = 0; k < n; ++k) {  // counting sort, NaN first
+    const double u = uv[2 * k], v = uv[2 * k + 1];
+    const bool nan = std::isnan(u) || std::isnan(v);
+    cell[k] = nan ? -1 : s.knots_u().find_span(u) * s.size_v() + s.knots_v().find_span(v);
+    ++place[cell[k] + 2];
+  }
   for (std::size_t c = 2; c < place.size(); ++c) place[c] += place[c - 1];
-  sorted.order.resize(static_cast<std::size_t>(n));
-  for (Index k = 0; k < n; ++k) sorted.order[place[sorted.cell[k] + 1]++] = k;
+  SortedPoints sorted{std::vector<Index>(n), std::vector<Index>(n), std::vector<double>(2 * n)};
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index to = place[cell[k] + 1]++;
+    sorted.order[to] = static_cast<Index>(k);
+    sorted.cell[to] = cell[k];
+    sorted.uv[2 * to] = clamp_to_domain(s.knots_u(), uv[2 * k]);
+    sorted.uv[2 * to + 1] = clamp_to_domain(s.knots_v(), uv[2 * k + 1]);
+  }
   return sorted;
 }
 
-void basis_of_lanes(const KnotVector& knots, Index span, const double* x, int derivative, double* values) {
+KNOTFIT_INLINE void lane_basis(const KnotVector& knots, Index span, const Lanes& x, int derivative,
+                               Lanes* row) {
+  const double* t = knots.knots().data() + span;
+  const int width = knots.degree() + 1;
   if (derivative == 0) {
-    basis_lanes<kLanes>(knots.knots().data() + span, knots.degree(), x, values);
-    return;
+    basis_values(t, knots.degree(), x, row);
+  } else if (derivative <= knots.degree()) {
+    Lanes rows[kFunctions * kFunctions];
+    basis_rows(t, knots.degree(), x, derivative, rows);
+    std::copy_n(rows + derivative * width, width, row);
+  } else {
+    std::fill_n(row, width, Lanes{});
   }
-  for (int l = 0; l < kLanes; ++l) {
-    const BasisRow row = basis_row(knots, span, x[l], derivative);
-    for (int a = 0; a <= knots.degree(); ++a) values[a * kLanes + l] = row[static_cast<std::size_t>(a)];
+}
+
+/// kLanes points of one cell. \param out  dimension x kLanes, written
+KNOTFIT_WIDE void evaluate_lanes(const Task& task, Index span_u, Index span_v, const double* u,
+                                 const double* v, double* out) {
+  const Surface& s = task.s;
+  const KnotVector &ku = s.knots_u(), &kv = s.knots_v();
+  Lanes x, y, bu[kFunctions], bv[kFunctions];
+  std::memcpy(&x, u, sizeof x);
+  std::memcpy(&y, v, sizeof y);
+  lane_basis(ku, span_u, x, task.derivative_u, bu);
+  lane_basis(kv, span_v, y, task.derivative_v, bv);
+  const Index row = s.size_v() * s.dimension();
+  const double* net = s.net().data() + (span_u - ku.degree()) * row + (span_v - kv.degree()) * s.dimension();
+  contract(bu, ku.degree(), bv, kv.degree(), net, row, s.dimension(), out);
+}
+
+/// Values at uv, in the order given. \param result  n x dimension, written
+void evaluate_sorted(const Task& task, std::span<const double> uv, double* result) {
+  const SortedPoints sorted = sort_by_cell(task.s, uv);
+  const Index end = static_cast<Index>(uv.size() / 2);
+  const Index dim = task.s.dimension();
+  std::vector<double> out(static_cast<std::size_t>(dim * kLanes));
+  double u[kLanes], v[kLanes];
+  for (Index k = 0; k < end;) {
+    const Index cell = sorted.cell[k];
+    Index next = k + 1;
+    while (next < end && next - k < kLanes && sorted.cell[next] == cell) ++next;
+    if (cell < 0) {
+      for (; k < next; ++k) std::fill_n(result + sorted.order[k] * dim, dim, kNaN);
+      continue;
+    }
+    if (next - k < kLanes / 4) {  // too few to share the work
+      for (; k < next; ++k)
+        evaluate_one(task.s, sorted.uv[2 * k], sorted.uv[2 * k + 1], task.derivative_u, task.derivative_v,
+                     result + sorted.order[k] * dim);
+      continue;
+    }
+    for (int l = 0; l < kLanes; ++l) {  // lanes without a point repeat the last one
+      const Index from = std::min(k + l, next - 1);
+      u[l] = sorted.uv[2 * from];
+      v[l] = sorted.uv[2 * from + 1];
+    }
+    evaluate_lanes(task, cell / task.s.size_v(), cell % task.s.size_v(), u, v, out.data());
+    for (int l = 0; k < next; ++k, ++l)
+      for (Index d = 0; d < dim; ++d) result[sorted.order[k] * dim + d] = out[d * kLanes + l];
   }
 }
 
@@ -61,45 +130,22 @@ std::vector<double> evaluate(const Surface& s, std::span<const double> uv, int d
     throw InvalidInput(fmt::format("parameters come in pairs (u, v); there are {} numbers", uv.size()));
   const Index n = static_cast<Index>(uv.size() / 2), dim = s.dimension();
   std::vector<double> result(static_cast<std::size_t>(n * dim));
-  if (n < s.control_point_count() / 4) {  // cells with hardly two points: sorting does not pay
+  if (n < s.control_point_count()) {  // hardly a point a cell: sorting does not pay
     parallel_chunks(n, [&](Index, Index begin, Index end) {
       for (Index k = begin; k < end; ++k)
         evaluate_one(s, uv[2 * k], uv[2 * k + 1], derivative_u, derivative_v, result.data() + k * dim);
     });
     return result;
   }
-  const SortedPoints sorted = sort_by_cell(s, uv);
-  const KnotVector &ku = s.knots_u(), &kv = s.knots_v();
-  parallel_chunks(n, [&](Index, Index begin, Index end) {
-    double u[kLanes], v[kLanes], bu[(kMaxDegree + 1) * kLanes], bv[(kMaxDegree + 1) * kLanes];
-    std::vector<double> out(static_cast<std::size_t>(dim * kLanes));
-    for (Index k = begin; k < end;) {
-      const Index cell = sorted.cell[sorted.order[k]];
-      Index next = k + 1;
-      while (next < end && next - k < kLanes && sorted.cell[sorted.order[next]] == cell) ++next;
-      if (cell < 0 || next - k < kLanes / 4) {
-        for (; k < next; ++k) {
-          const Index point = sorted.order[k];
-          evaluate_one(s, uv[2 * point], uv[2 * point + 1], derivative_u, derivative_v,
-                       result.data() + point * dim);
-        }
-        continue;
-      }
-      for (int l = 0; l < kLanes; ++l) {  // lanes without a point repeat the last one
-        const Index point = sorted.order[std::min(k + l, next - 1)];
-        u[l] = clamp_to_domain(ku, uv[2 * point]);
-        v[l] = clamp_to_domain(kv, uv[2 * point + 1]);
-      }
-      const Index i = cell / s.size_v(), j = cell % s.size_v();
-      basis_of_lanes(ku, i, u, derivative_u, bu);
-      basis_of_lanes(kv, j, v, derivative_v, bv);
-      contract<kLanes>(bu, ku.degree(), bv, kv.degree(),
-                       s.control_point(i - ku.degree(), j - kv.degree()).data(), s.size_v() * dim,
-                       s.dimension(), out.data());
-      for (int l = 0; k < next; ++k, ++l)
-        for (Index d = 0; d < dim; ++d) result[sorted.order[k] * dim + d] = out[d * kLanes + l];
-    }
-  });
+  const Task task{s, derivative_u, derivative_v};
+  // Blocks that stay in the cache, yet fill the lanes of most cells.
+  const Index block = std::max(kLeastBlock, 2 * kLanes * s.control_point_count());
+  parallel_chunks(
+      n,
+      [&](Index, Index begin, Index end) {
+        evaluate_sorted(task, uv.subspan(2 * begin, 2 * (end - begin)), result.data() + begin * dim);
+      },
+      block);
   return result;
 }
 

@@ -143,7 +143,7 @@ KnotRemoval remove_knot_u(const Surface& s, double knot, double tolerance) {
   for (double& x : near) x = std::clamp(x, knots.first(), knots.last());
   KnotRemoval result{s, false, 0};
   result.error = bound_of(knots, g, 1, points_within_spans(near, 7)) *
-                     bound_of(s.knots_v(), h, s.dimension(), points_within_spans(s.knots_v().breaks(), 3)) +
+                     bound_of(s.knots_v(), h, s.dimension(), points_within_spans(s.knots_v().breaks(), 7)) +
                  largest_norm(left_over, s.dimension()) + rounding;
   if (!std::isfinite(result.error)) result.error = std::numeric_limits<double>::infinity();
   if (!(result.error <= tolerance) || std::isinf(result.error)) return result;

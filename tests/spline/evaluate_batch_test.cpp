@@ -67,7 +67,7 @@ TEST(EvaluateMany, GivesTheSameBitsForOneAndTwoThreads) {
   Random random;
   for (int k = 0; k < 5; ++k) {
     const Surface s = random_surface(random, 3);
-    Numbers uv(40000), u(150), v(170);
+    Numbers uv(160000), u(150), v(170);  // more than a block of points
     for (std::size_t i = 0; i < uv.size(); ++i)
       uv[i] = some_parameter(random, i % 2 == 0 ? s.knots_u() : s.knots_v());
     for (double& x : u) x = some_parameter(random, s.knots_u());
