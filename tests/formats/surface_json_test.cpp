@@ -177,6 +177,16 @@ TEST(SurfaceJson, RefusesWhatIsNoSurface) {
   expect_throw<FileError>([&] { parse(huge); }, "control_points: \"1e999\" is beyond the range of a double");
 }
 
+TEST(SurfaceJson, TheDocumentedExampleIsASurface) {
+  const std::string text = bytes_of(std::filesystem::path(KNOTFIT_TEST_DATA) / "../../docs/formats.md");
+  const std::size_t begin = text.find("```json\n"), end = text.find("```", begin + 8);
+  ASSERT_NE(end, std::string::npos);
+  const SurfaceDocument d = parse(text.substr(begin + 8, end - begin - 8));
+  EXPECT_EQ(d.surface.degree_u(), 3);
+  EXPECT_EQ(d.surface.control_point_count(), 16);
+  EXPECT_TRUE(d.height_field);
+}
+
 TEST(SurfaceJson, FilesOfSurfaces) {
   const TemporaryFolder folder;
   write_file(folder.file("s.json"), false, [](std::ostream& out) { out << to_json(small()); });

@@ -62,6 +62,8 @@ TEST(WriteFile, LinksKeepPointingToTheirFile) {
   std::filesystem::create_symlink("later.txt", folder.file("dangling.txt"));
   put(folder.file("dangling.txt"), false, "new");
   EXPECT_EQ(bytes_of(folder.file("later.txt")), "new");
+  std::filesystem::create_symlink("loop.txt", folder.file("loop.txt"));
+  expect_throw<FileError>([&] { put(folder.file("loop.txt"), true, "new"); }, "cannot be written");
 }
 
 TEST(WriteFile, NamesWhatIsWrongWithTheTarget) {
