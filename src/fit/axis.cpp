@@ -1,47 +1,12 @@
 #include "fit/axis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "fit/gauss_rule.h"
 #include "knotfit/basis.h"
 namespace knotfit {
-namespace {
-
-/// Gauss-Legendre rule of `n` nodes on [-1,1] by Newton on P_n, and P_a at the nodes.
-struct GaussRule {
-  std::vector<double> node, weight, legendre;  ///< legendre: n x n, row-major
-  explicit GaussRule(int n) : node(n), weight(n), legendre(n * n) {
-    std::vector<double> p(n + 1);
-    for (int g = 0; g < n; ++g) {
-      double x = std::cos(M_PI * (g + 0.75) / (n + 0.5)), slope = 1;
-      for (int it = 0; it < 100; ++it) {
-        legendre_values(x, n + 1, p.data());
-        slope = n * (x * p[n] - p[n - 1]) / (x * x - 1);
-        const double step = p[n] / slope;
-        x -= step;
-        if (std::abs(step) < 1e-16) break;
-      }
-      legendre_values(x, n + 1, p.data());
-      slope = n * (x * p[n] - p[n - 1]) / (x * x - 1);
-      node[g] = x;
-      weight[g] = 2 / ((1 - x * x) * slope * slope);
-      std::copy_n(p.begin(), n, legendre.begin() + g * n);
-    }
-  }
-};
-
-const GaussRule& gauss_rule(int degree) {
-  static const auto rules = [] {
-    std::vector<GaussRule> r;
-    for (int m = 0; m <= kMaxDegree; ++m) r.emplace_back(2 * m + 1);
-    return r;
-  }();
-  return rules[degree];
-}
-
-}  // namespace
 
 Axis::Axis(int degree, std::span<const double> interior)
     : degree_(degree),

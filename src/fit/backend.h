@@ -9,7 +9,7 @@ namespace knotfit {
 struct ResidualSums {
   double squares = 0;   ///< sum |r|^2, weights left out
   double weighted = 0;  ///< sum w |r|^2
-  double max = 0;      ///< largest |r|
+  double max = 0;       ///< largest |r|
   ResidualSums& operator+=(const ResidualSums& o) {
     squares += o.squares;
     weighted += o.weighted;

@@ -10,6 +10,8 @@ extern "C" {
 void dpbtrf_(const char* uplo, const int* n, const int* kd, double* ab, const int* ldab, int* info);
 void dpbtrs_(const char* uplo, const int* n, const int* kd, const int* nrhs, const double* ab,
              const int* ldab, double* b, const int* ldb, int* info);
+void dtbtrs_(const char* uplo, const char* trans, const char* diag, const int* n, const int* kd,
+             const int* nrhs, const double* ab, const int* ldab, double* b, const int* ldb, int* info);
 void dpbcon_(const char* uplo, const int* n, const int* kd, const double* ab, const int* ldab,
              const double* anorm, double* rcond, double* work, int* iwork, int* info);
 // Where the LAPACK is OpenBLAS: its own threads change the bits and, on a busy machine, are
@@ -71,6 +73,12 @@ void BandMatrix::solve(double* x, Index columns) const {
   const int n = narrow(size_), kd = narrow(bandwidth_), ld = kd + 1, rhs = narrow(columns);
   int info = 0;
   dpbtrs_("L", &n, &kd, &rhs, data_.data(), &ld, x, &n, &info);
+}
+
+void BandMatrix::forward(double* x, Index columns) const {
+  const int n = narrow(size_), kd = narrow(bandwidth_), ld = kd + 1, rhs = narrow(columns);
+  int info = 0;
+  dtbtrs_("L", "N", "N", &n, &kd, &rhs, data_.data(), &ld, x, &n, &info);
 }
 
 double BandMatrix::condition(double norm) const {

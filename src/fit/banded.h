@@ -21,6 +21,8 @@ class BandMatrix {
   bool factor();
   /// Solves with the factor in place; x is size x columns, column after column (dpbtrs).
   void solve(double* x, Index columns) const;
+  /// x <- L^-1 x with the factor L (dtbtrs).
+  void forward(double* x, Index columns) const;
   /// 1-norm condition estimate from the factor (dpbcon). \param norm  norm_1() before factor()
   double condition(double norm) const;
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "fit/gridded.h"
 #include "fit/scattered.h"
@@ -27,18 +28,46 @@ FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degr
       most_v_ = static_cast<Index>(grid.v.size());
       backend_ = std::make_unique<GriddedBackend>(points, std::move(grid));
     }
-  if (!backend_) backend_ = std::make_unique<ScatteredBackend>(points);
+  if (!backend_) {
+    auto scattered = std::make_unique<ScatteredBackend>(points);
+    scattered_ = scattered.get();
+    backend_ = std::move(scattered);
+  }
   backend_->keep_norm(options.estimate_condition);
 }
 
 FitProblem::~FitProblem() = default;
+
+ScatteredBackend& FitProblem::scattered() {
+  if (!scattered_) throw std::logic_error("knots move on scattered points only");
+  return *scattered_;
+}
+
+bool FitProblem::factor(const InteriorKnots& knots) {
+  ++fits_;
+  knots_ = knots;
+  u_ = Axis(degree_u_, knots.u);
+  v_ = Axis(degree_v_, knots.v);
+  return backend_->factor(u_, v_, options_.smoothing);
+}
+
+void FitProblem::restore(std::vector<double> net, std::vector<double> residual) {
+  net_ = std::move(net);
+  take(scattered().set_residual(std::move(residual)));
+}
+
+void FitProblem::take(const ResidualSums& sums) {
+  rms_ = std::sqrt(sums.squares / static_cast<double>(points_.size()));
+  max_ = sums.max;
+  phi_ = sums.weighted;
+}
 
 bool FitProblem::solve(const InteriorKnots& knots) {
   ++fits_;
   knots_ = knots;
   u_ = Axis(degree_u_, knots.u);
   v_ = Axis(degree_v_, knots.v);
-  rms_ = max_ = std::numeric_limits<double>::infinity();
+  rms_ = max_ = phi_ = std::numeric_limits<double>::infinity();
   net_.clear();
   // Rounding can beat a very small floor: raise it rather than give up, and report what was used.
   bool solved = false;
@@ -51,12 +80,11 @@ bool FitProblem::solve(const InteriorKnots& knots) {
       for (std::size_t i = 0; i < net_.size(); ++i) net_[i] -= correction[i];
       sums = backend_->residuals(net_);
     }
-    rms_ = std::sqrt(sums.squares / static_cast<double>(points_.size()));
-    max_ = sums.max;
+    take(sums);
     solved = std::isfinite(rms_) && std::isfinite(max_);
     for (std::size_t i = 0; i < net_.size() && solved; ++i) solved = std::isfinite(net_[i]);
   }
-  if (!solved) rms_ = max_ = std::numeric_limits<double>::infinity();
+  if (!solved) rms_ = max_ = phi_ = std::numeric_limits<double>::infinity();
   return solved;
 }
 

@@ -9,6 +9,8 @@
 #include "knotfit/tolerance.h"
 namespace knotfit {
 
+class ScatteredBackend;
+
 class FitProblem {
  public:
   /// \throws InvalidInput  points invalid (validate), degrees outside [1,9]
@@ -28,11 +30,20 @@ class FitProblem {
   Surface surface() const;
   double rms() const { return rms_; }
   double max() const { return max_; }
+  double phi() const { return phi_; }  ///< sum w |r|^2
   double measured(const Tolerance& tolerance) const;
   std::vector<double> errors() const { return backend_->errors(); }  ///< input order
   double condition() const { return backend_->condition(); }
   double smoothing() const { return backend_->smoothing(); }
   Index empty_cells() const { return backend_->empty_cells(); }
+
+  // For knots that move; needs LeastSquaresOptions::use_grid = false.
+  /// The points' backend: weights, residuals, the Jacobian in the knots.
+  ScatteredBackend& scattered();
+  /// Assembles and factors at these knots, as solve() does, and leaves net and residuals as they are.
+  bool factor(const InteriorKnots& knots);
+  /// Takes a net that need not minimise anything, with its residuals (stored order).
+  void restore(std::vector<double> net, std::vector<double> residual);
 
   const ParameterizedPoints& points() const { return points_; }
   int degree_u() const { return degree_u_; }
@@ -49,16 +60,18 @@ class FitProblem {
   void set_refinement_steps(int steps) { options_.refinement_steps = steps; }
 
  private:
+  void take(const ResidualSums& sums);
   const ParameterizedPoints& points_;
   int degree_u_, degree_v_;
   LeastSquaresOptions options_;
   bool on_grid_ = false;
   Index most_u_ = 0, most_v_ = 0;
   std::unique_ptr<FitBackend> backend_;
+  ScatteredBackend* scattered_ = nullptr;  ///< backend_, where it is one
   InteriorKnots knots_;
   Axis u_, v_;
   std::vector<double> net_;
-  double rms_ = 0, max_ = 0;
+  double rms_ = 0, max_ = 0, phi_ = 0;
   long fits_ = 0;
 };
 

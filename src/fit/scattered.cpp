@@ -6,6 +6,7 @@
 
 #include "fit/kernels.h"
 #include "fit/smoothing.h"
+#include "fit/spans_in_turn.h"
 namespace knotfit {
 namespace {
 
@@ -45,17 +46,6 @@ constexpr int pairs_of(int degree) {
   return degree < 0 ? Eigen::Dynamic : (degree + 1) * (degree + 2) / 2;
 }
 
-/// Calls body(span) for all outer spans. Spans less than degree + 1 apart write to the same
-/// functions, so every (degree + 1)-th goes at once, in a fixed order of colours.
-template <class Body>
-void for_outer_spans(const Axis& outer, const Body& body) {
-  const int colours = outer.width();
-  for (int colour = 0; colour < colours; ++colour) {
-    const Index count = (outer.spans() - colour + colours - 1) / colours;
-    if (count > 0) parallel_for(count, [&](Index i) { body(colour + i * colours); });
-  }
-}
-
 }  // namespace
 
 ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points) : order_(points) {}
@@ -87,7 +77,7 @@ bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoo
   for_degrees(outer.degree(), inner.degree(), [&]<int degree>() {
     constexpr int w = width_of(degree), q = moments_of(degree), np = pairs_of(degree);
     const int wo = outer.width(), wi = inner.width();
-    for_outer_spans(outer, [&](Index s) {
+    for_spans_in_turn(outer, [&](Index s) {
       const ConstMap<np, q> po(outer.products(s), outer.pairs(), outer.moments());
       const ConstMap<w, w> bo(outer.basis(s), wo, wo);
       Matrix<np, np> gram(outer.pairs(), inner.pairs());
@@ -168,7 +158,7 @@ std::vector<double> ScatteredBackend::project(bool residual) {
     rhs.assign(n * d, 0.0);
     for_degrees(outer.degree(), inner.degree(), [&]<int degree>() {
       constexpr int w = width_of(degree);
-      for_outer_spans(outer, [&](Index s) {
+      for_spans_in_turn(outer, [&](Index s) {
         const ConstMap<w, w> bo(outer.basis(s), wo, wo);
         Matrix<w, w> y(wo, wi);
         for (Index r = 0; r < inner.spans(); ++r) {
@@ -232,6 +222,21 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
   });
   ResidualSums total;
   for (const ResidualSums& s : sums) total += s;
+  total.max = std::sqrt(total.max);
+  return total;
+}
+
+ResidualSums ScatteredBackend::set_residual(std::vector<double> residual) {
+  residual_ = std::move(residual);
+  const std::vector<double>& w = order_.weights();
+  ResidualSums total = parallel_sum<ResidualSums>(order_.size(), [&](Index begin, Index end) {
+    ResidualSums sum;
+    for (Index i = begin; i < end; ++i) {
+      const double square = squared(i);
+      sum += {square, (w.empty() ? 1.0 : w[i]) * square, square};
+    }
+    return sum;
+  });
   total.max = std::sqrt(total.max);
   return total;
 }

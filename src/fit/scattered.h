@@ -5,6 +5,7 @@
 #include "fit/backend.h"
 #include "fit/banded.h"
 #include "fit/cell_order.h"
+#include "fit/knot_jacobian.h"
 namespace knotfit {
 
 class ScatteredBackend final : public FitBackend {
@@ -17,11 +18,17 @@ class ScatteredBackend final : public FitBackend {
   std::vector<double> errors() const override;
   double condition() const override { return matrix_.condition(norm_); }
 
+  /// At the net of the last residuals() call, which minimises at the knots last factored.
+  /// \param golub_pereyra  with the exact Jacobian's second term; without it Kaufman's, which finds better
+  ///   optima at two thirds of the cost (METHOD 3)
+  KnotJacobian knot_jacobian(const std::vector<double>& net, bool golub_pereyra = false) const;
   const CellOrder& points() const { return order_; }
   /// Weights of the next fits, in the stored order.
   void set_weights(std::vector<double> weights) { order_.set_weights(std::move(weights)); }
   /// S - P of the last residuals() call, in the stored order.
   const std::vector<double>& residual() const { return residual_; }
+  /// Replaces it; the sums are those of residuals().
+  ResidualSums set_residual(std::vector<double> residual);
 
  private:
   std::vector<double> project(bool residual);

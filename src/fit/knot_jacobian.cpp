@@ -1,0 +1,217 @@
+#include "fit/knot_jacobian.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "fit/gauss_rule.h"
+#include "fit/kernels.h"
+#include "fit/scattered.h"
+#include "fit/spans_in_turn.h"
+#include "knotfit/basis.h"
+namespace knotfit {
+
+std::vector<double> knot_derivatives(const Axis& axis) {
+  const int m = axis.degree(), w = axis.width(), q = axis.moments();
+  const Index spans = axis.spans();
+  const GaussRule& rule = gauss_rule(m);
+  std::vector<double> result(spans * 2 * m * w * w, 0.0), b(w);
+  const std::vector<double>& t = axis.knots().knots();
+  for (Index l = 0; l + 1 < spans; ++l) {  // interior knot l stands before span l + 1
+    const Index k = l + m + 1;
+    // dB_i/du_k = -B~_i / (u_{i+m} - u_i) + B~_{i+1} / (u_{i+1+m} - u_{i+1}), each where its function's
+    // support holds u_k; B~ on the knots with u_k once more.
+    std::vector<double> doubled = t;
+    doubled.insert(doubled.begin() + k, t[k]);
+    if (axis.knots().multiplicity(t[k]) > m) continue;  // a jump: both sides stand alone
+    const KnotVector tilde(m, std::move(doubled));
+    for (Index s = std::max<Index>(0, l - m + 1); s <= std::min(spans - 1, l + m); ++s) {
+      if (axis.length(s) <= 0) continue;
+      const Index span = s + m + (s > l ? 1 : 0);
+      const Index e = l - (s - m);
+      if (e < 0 || e >= 2 * m) continue;
+      double* out = result.data() + (s * 2 * m + e) * w * w;
+      for (int g = 0; g < q; ++g) {
+        basis_functions(tilde, span, axis.low(s) + axis.length(s) * (rule.node[g] + 1) / 2, b);
+        auto term = [&](Index i) {
+          const Index local = i - (span - m);
+          if (i < k - m || i > k || local < 0 || local > m) return 0.0;
+          const double support = t[i + m] - t[i];
+          return support > 0 ? b[local] / support : 0.0;
+        };
+        for (int i = 0; i < w; ++i) {
+          const double value = term(s + i + 1) - term(s + i);
+          for (int a = 0; a < w; ++a)
+            out[a * w + i] += (a + 0.5) * rule.weight[g] * rule.legendre[g * q + a] * value;
+        }
+      }
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// Legendre coefficients of the products P_a P_{a2 <= a}: pairs x moments.
+std::vector<double> legendre_products(int degree) {
+  const GaussRule& rule = gauss_rule(degree);
+  const int w = degree + 1, q = 2 * degree + 1;
+  std::vector<double> result(w * (w + 1) / 2 * q, 0.0);
+  for (int g = 0; g < q; ++g) {
+    const double* p = rule.legendre.data() + g * q;
+    int row = 0;
+    for (int a = 0; a < w; ++a)
+      for (int a2 = 0; a2 <= a; ++a2, ++row)
+        for (int c = 0; c < q; ++c) result[row * q + c] += (c + 0.5) * rule.weight[g] * p[c] * p[a] * p[a2];
+  }
+  return result;
+}
+
+int pair_index(int a, int b) {
+  return a >= b ? a * (a + 1) / 2 + b : b * (b + 1) / 2 + a;
+}
+
+}  // namespace
+
+KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, bool golub_pereyra) const {
+  using Dense = Eigen::MatrixXd;
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Map = Eigen::Map<const RowMajor>;
+  const Axis &outer = *outer_, &inner = *inner_;
+  const int d = order_.dimension(), mo = outer.degree(), mi = inner.degree(), wo = outer.width(),
+            wi = inner.width();
+  const Index no = outer.functions(), ni = inner.functions(), n = no * ni;
+  const Index ko = outer.spans() - 1, ki = inner.spans() - 1, knots = ko + ki;
+  // Columns in the order outer knots, inner knots; put right at the end.
+  const std::vector<double> do_ = knot_derivatives(outer), di_ = knot_derivatives(inner);
+  const std::vector<double> lo = legendre_products(mo), li = legendre_products(mi);
+  const Map po(lo.data(), outer.pairs(), outer.moments()), pi(li.data(), inner.pairs(), inner.moments());
+  const int stride = padded(inner.moments()), alive = 2 * mo + 2 * mi, coefficients = wo * wi;
+  const Index matrix_size = Index{outer.moments()} * stride, rhs_size = Index{d} * coefficients;
+  const auto& start = order_.piece_start();
+  const auto& pieces = order_.pieces();
+
+  // Moments of w r, by piece.
+  std::vector<double> residual_moments(pieces.size() * rhs_size, 0.0);
+  parallel_for(static_cast<Index>(pieces.size()), [&](Index i) {
+    add_rhs_moments(order_, pieces[i], mo, mi, residual_.data(), residual_moments.data() + i * rhs_size);
+  });
+
+  struct Partial {
+    Dense matrix;
+    Eigen::VectorXd gradient;
+  };
+  std::vector<Partial> partial(outer.spans());
+  Dense projected = Dense::Zero(n, knots * d), weighted;  // A^T W D and, where asked, Q
+  if (golub_pereyra) weighted.setZero(n, knots * d);
+  for_spans_in_turn(outer, [&](Index s) {
+    Partial& sum = partial[s];
+    sum.matrix.setZero(knots, knots);
+    sum.gradient.setZero(knots);
+    if (outer.length(s) <= 0) return;
+    const Map bo(outer.basis(s), wo, wo);
+    RowMajor c(wo, wi), left(wo, wi), right(wo, wi), y(wo, wi), z(wo, wi), r(wo, wi);
+    Dense gram(outer.pairs(), inner.pairs()), full(coefficients, coefficients), columns(coefficients, alive),
+        image(coefficients, alive), products(alive, alive);
+    std::vector<Index> id(alive);
+    for (Index t = 0; t < inner.spans(); ++t) {
+      const Index cell = s * inner.spans() + t;
+      if (start[cell] == start[cell + 1]) continue;
+      const Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>> moments(
+          moments_.data() + start[cell] * (matrix_size + rhs_size), outer.moments(), inner.moments(),
+          Eigen::OuterStride<>(stride));
+      gram.noalias() = (po * moments) * pi.transpose();
+      for (int a = 0; a < wo; ++a)
+        for (int b = 0; b < wi; ++b)
+          for (int a2 = 0; a2 < wo; ++a2)
+            for (int b2 = 0; b2 < wi; ++b2)
+              full(a * wi + b, a2 * wi + b2) = gram(pair_index(a, a2), pair_index(b, b2));
+      for (int e = 0; e < 2 * mo; ++e) {
+        const Index l = s - mo + e;
+        id[e] = l >= 0 && l < ko ? l : -1;
+      }
+      for (int e = 0; e < 2 * mi; ++e) {
+        const Index l = t - mi + e;
+        id[2 * mo + e] = l >= 0 && l < ki ? ko + l : -1;
+      }
+      const Map bi(inner.basis(t), wi, wi);
+      for (int x = 0; x < d; ++x) {
+        for (int i = 0; i < wo; ++i)
+          for (int j = 0; j < wi; ++j)
+            c(i, j) = net[(swapped_ ? (t + j) * no + s + i : (s + i) * ni + t + j) * d + x];
+        left.noalias() = c * bi.transpose();  // functions of u, powers of v
+        right.noalias() = bo * c;
+        r.setZero();
+        for (Index p = start[cell]; p < start[cell + 1]; ++p)
+          r += Map(residual_moments.data() + p * rhs_size + x * coefficients, wo, wi);
+        for (int e = 0; e < alive; ++e) {
+          if (id[e] < 0) {
+            columns.col(e).setZero();
+            continue;
+          }
+          const bool along_outer = e < 2 * mo;
+          const double* derivative = along_outer ? do_.data() + (s * 2 * mo + e) * wo * wo
+                                                 : di_.data() + (t * 2 * mi + e - 2 * mo) * wi * wi;
+          if (along_outer)
+            y.noalias() = Map(derivative, wo, wo) * left;
+          else
+            y.noalias() = right * Map(derivative, wi, wi).transpose();
+          columns.col(e) = Eigen::Map<const Eigen::VectorXd>(y.data(), coefficients);
+          sum.gradient[id[e]] += y.cwiseProduct(r).sum();
+          if (golub_pereyra) {
+            if (along_outer)
+              z.noalias() = Map(derivative, wo, wo).transpose() * (r * bi);
+            else
+              z.noalias() = (bo.transpose() * r) * Map(derivative, wi, wi);
+            for (int i = 0; i < wo; ++i)
+              for (int j = 0; j < wi; ++j) weighted((s + i) * ni + t + j, x * knots + id[e]) += z(i, j);
+          }
+        }
+        image.noalias() = full * columns;
+        products.noalias() = columns.transpose() * image;
+        for (int e = 0; e < alive; ++e) {
+          if (id[e] < 0) continue;
+          for (int e2 = 0; e2 < alive; ++e2)
+            if (id[e2] >= 0) sum.matrix(id[e], id[e2]) += products(e, e2);
+          y = Map(image.col(e).data(), wo, wi);
+          z.noalias() = bo.transpose() * (y * bi);
+          for (int i = 0; i < wo; ++i)
+            for (int j = 0; j < wi; ++j) projected((s + i) * ni + t + j, x * knots + id[e]) += z(i, j);
+        }
+      }
+    }
+  });
+
+  Dense matrix = Dense::Zero(knots, knots);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(knots);
+  for (const Partial& p : partial) {
+    matrix += p.matrix;
+    gradient += p.gradient;
+  }
+  auto forward = [&](Dense& columns) {
+    parallel_chunks(
+        columns.cols(),
+        [&](Index, Index begin, Index end) { matrix_.forward(columns.data() + begin * n, end - begin); }, 8);
+  };
+  forward(projected);
+  if (golub_pereyra) forward(weighted);
+  for (int x = 0; x < d; ++x) {
+    matrix.noalias() -=
+        projected.middleCols(x * knots, knots).transpose() * projected.middleCols(x * knots, knots);
+    if (golub_pereyra)
+      matrix.noalias() +=
+          weighted.middleCols(x * knots, knots).transpose() * weighted.middleCols(x * knots, knots);
+  }
+
+  KnotJacobian result;
+  result.knots = static_cast<std::size_t>(knots);
+  result.matrix.resize(knots * knots);
+  result.gradient.resize(knots);
+  auto place = [&](Index k) { return swapped_ ? (k < ko ? ki + k : k - ko) : k; };
+  for (Index i = 0; i < knots; ++i) {
+    result.gradient[place(i)] = gradient[i];
+    for (Index j = 0; j < knots; ++j) result.matrix[place(i) * knots + place(j)] = matrix(i, j);
+  }
+  return result;
+}
+
+}  // namespace knotfit

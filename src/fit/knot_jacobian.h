@@ -1,0 +1,21 @@
+// How the fit changes with its knots, the control points eliminated [Golub73; METHOD 3].
+#pragma once
+#include <vector>
+
+#include "fit/axis.h"
+namespace knotfit {
+
+/// d basis / d knot on every span: entry [((s * 2m + e) * w + a) * w + i] is the Legendre coefficient a
+/// of the derivative of function s + i on span s in interior knot s - m + e (counted from 0 with
+/// multiplicity; those below 0 or past the last are zero) [Piegl98].
+std::vector<double> knot_derivatives(const Axis& axis);
+
+/// Normal matrix and half gradient of phi = sum w |r|^2 at the minimising control points, in the
+/// interior knots of u, then v. Copies of a multiple knot have a column each.
+struct KnotJacobian {
+  std::size_t knots = 0;
+  std::vector<double> matrix;    ///< knots x knots: J^T W J
+  std::vector<double> gradient;  ///< knots: J^T W r; d phi / d knot is twice it
+};
+
+}  // namespace knotfit
