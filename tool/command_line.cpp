@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 
 #include "help_text.h"
 #include "knotfit/errors.h"
@@ -12,6 +13,15 @@ namespace {
 
 constexpr std::size_t kColumn = 34;       // where descriptions begin
 constexpr std::size_t kDescription = 70;  // and how wide they are
+
+// CLI11's own lists what each option excludes; the parser's messages say so where it matters.
+class PlainFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (option->get_type_size() == 0 || option->get_type_name().empty()) return "";
+    return " " + option->get_type_name() + (option->get_expected_max() > 1 ? " ..." : "");
+  }
+};
 
 // One option of one command, its value given to `take`; what `take` refuses is named by the option.
 CLI::Option* add(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
@@ -298,7 +308,9 @@ void add_list(CLI::App& app, ListArguments& list) {
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
   CLI::App app{"B-spline surfaces with the fewest control points that hold a tolerance.", "knotfit"};
-  app.get_formatter()->column_width(kColumn);
+  const auto formatter = std::make_shared<PlainFormatter>();
+  formatter->column_width(kColumn);
+  app.formatter(formatter);  // before the commands, which inherit it
   app.set_version_flag("--version", "knotfit " + std::string(version()), "Print the version");
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
@@ -327,8 +339,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const auto chosen = app.get_subcommands();
-    return {.run = std::nullopt, .text = chosen.empty() ? app.help() : chosen.front()->help()};
+    return {.run = std::nullopt, .text = app.help()};  // the chosen command's, where there is one
   } catch (const CLI::CallForVersion& e) {
     return {.run = std::nullopt, .text = std::string(e.what()) + "\n"};
   } catch (const CLI::ParseError& e) {

@@ -144,8 +144,7 @@ class FitWriter {
     p.points = &report_.input.points;
     p.signed_errors = signed_errors(result.surface, report_.input.points);
     p.tolerance = result.tolerance;
-    p.title =
-        std::filesystem::path(report_.input.summary.path).filename().string() + ": " + report_line(report_);
+    p.title = std::filesystem::path(report_.input.summary.path).filename().string() + ", " + verdict(report_);
     p.subtitle = "knotfit fit " + options_to_text(report_.choices);
     p.thin_places = result.between.thin_places;
     return p;

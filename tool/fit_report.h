@@ -27,8 +27,8 @@ std::string stored_result(const FitReport& report);
 /// The summary on standard output.
 std::string report_to_text(const FitReport& report);
 
-/// One line for a picture: size, error that counts, verdict.
-std::string report_line(const FitReport& report);
+/// The verdict in a few words, for a picture: "1% at every point: reached".
+std::string verdict(const FitReport& report);
 
 /// Largest resident memory of this process so far, in bytes.
 long long peak_memory_bytes();

@@ -31,7 +31,7 @@ std::string wrap(std::string_view text, std::size_t width) {
 }
 
 std::string examples(std::string_view command) {
-  const std::string face = "  knotfit fit samples/face.uv.csv --tol 1% -o face.json -o face.png\n";
+  const std::string face = "  knotfit fit samples/face.uv.csv --tol 5% -o face.json -o face.png\n";
   const std::string terrain =
       "  knotfit fit samples/jacksboro.asc --tol 5% --within 99.5% -o terrain.json -o terrain.asc\n";
   std::string text = "Examples (from the project's root, in this order):\n";

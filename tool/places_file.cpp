@@ -37,7 +37,7 @@ double number_at(const std::string& path, const TextLine& line, const std::vecto
   const ParsedNumber number = knotfit::parse_number(fields[at]);
   if (number.status != NumberStatus::ok || !std::isfinite(number.value))
     throw FileError(path, line.number,
-                    fmt::format("column {}: {} is not a finite number", at + 1, knotfit::quoted(fields[at])));
+                    fmt::format("column {}: {} is not a finite number", at + 1, in_quotes(fields[at])));
   return number.value;
 }
 

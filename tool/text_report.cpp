@@ -76,15 +76,10 @@ std::string between_line(const BetweenReport& b, double diagonal) {
 
 }  // namespace
 
-std::string report_line(const FitReport& r) {
-  const Surface& s = r.result.surface;
-  std::string line =
-      fmt::format("{} x {} control points, degree {} x {}, error max {:.3g}, rms {:.3g}", s.size_u(),
-                  s.size_v(), s.degree_u(), s.degree_v(), r.result.error.max, r.result.error.rms);
-  if (r.choices.tolerance)
-    line += fmt::format(", tolerance {:.3g} {}: {}", r.result.tolerance, measure_text(r.choices),
-                        r.result.reached ? "reached" : "not reached");
-  return line;
+std::string verdict(const FitReport& r) {
+  if (!r.choices.tolerance) return "a fixed size";
+  return fmt::format("{} {}: {}", to_text(*r.choices.tolerance), measure_text(r.choices),
+                     r.result.reached ? "reached" : "not reached");
 }
 
 std::string report_to_text(const FitReport& r) {

@@ -1,0 +1,172 @@
+"""What the tool says of itself: help, its examples, lists, the man page and the completions agree."""
+
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import unittest
+
+from harness import SAMPLES, SOURCE, TOOL, ToolTest
+
+COMMANDS = ["fit", "eval", "info", "convert", "methods", "formats"]
+MAN = SOURCE / "tool" / "man" / "knotfit.1"
+COMPLETION = SOURCE / "tool" / "completion"
+
+
+def options_of(text):
+    """Long options of a help text: those at the start of its lines."""
+    return set(re.findall(r"^\s+(?:-\w,)?(--[a-z-]+)", text, re.M))
+
+
+class Help(ToolTest):
+    def help(self, *command):
+        return self.run_tool(*command, "--help").stdout
+
+    def test_version(self):
+        self.assertRegex(self.run_tool("--version").stdout, r"^knotfit \d+\.\d+\.\d+\n$")
+
+    def test_the_general_help_lists_the_commands_and_the_exit_statuses(self):
+        text = self.help()
+        for command in COMMANDS:
+            self.assertRegex(text, rf"(?m)^  {command} ")
+        self.assertIn("130 stopped", text)
+        self.assertEqual(self.run_tool("-h").stdout, text)
+
+    def test_lines_fit_a_wide_terminal(self):
+        for command in ([], *[[c] for c in COMMANDS]):
+            for line in self.help(*command).splitlines():
+                self.assertLessEqual(len(line), 110, line)
+
+    def test_every_option_of_the_issue_is_there(self):
+        wanted = ("--tol --within --rms --control-points --knots --knots-u --knots-v --knots-from --degree --refine "
+                  "--max-control-points --max-fits --time-limit --height-field --spacing --rescale-parameters "
+                  "--duplicates --columns --input-format --nodata --feature --smoothing --between --cell --fill-holes "
+                  "--output --force --threads --quiet --json --options").split()
+        self.assertLessEqual(set(wanted), options_of(self.help("fit")))
+        wanted = "--at --points --grid --derivatives --derivative --normals --curvature --clamp --json --output".split()
+        self.assertLessEqual(set(wanted), options_of(self.help("eval")))
+        self.assertLessEqual({"--cell", "--grid", "--output", "--force"}, options_of(self.help("convert")))
+
+    def test_methods_of_the_help_are_those_of_the_table(self):
+        methods = json.loads(self.run_tool("methods", "--json").stdout)
+        names = self.run_tool("methods", "--names").stdout.split()
+        self.assertEqual([m["name"] for m in methods], names)
+        text = " ".join(self.help("fit").split())
+        self.assertIn(", ".join(names), text)
+        listed = self.run_tool("methods").stdout
+        for method in methods:
+            self.assertTrue(method["summary"])
+            self.assertIn(method["summary"], listed)
+
+    def test_formats_are_listed_and_every_output_is_among_them(self):
+        formats = json.loads(self.run_tool("formats", "--json").stdout)
+        written = {e for f in formats if f["writes"] for e in f["extensions"].split()}
+        self.assertLessEqual({".json", ".csv", ".asc", ".grd", ".png", ".svg", ".pdf"}, written)
+        read = {e for f in formats if f["reads"] for e in f["extensions"].split()}
+        self.assertLessEqual({".asc", ".csv", ".txt", ".xyz", ".npy", ".json"}, read)
+        self.assertEqual(self.run_tool("formats", "--names").stdout.split(), [f["name"] for f in formats])
+        self.assertIn("ESRI", self.run_tool("formats").stdout)
+
+    def test_what_shapes_a_result_is_stored(self):
+        """Every option of fit is in the stored options, or is known not to shape a result."""
+        self.write_points()
+        stored = self.run_json("fit", "points.csv", "--control-points", "5")["options"]
+        others = {"--help", "--output", "--force", "--json", "--threads", "--quiet", "--options", "--knots-u",
+                  "--knots-v", "--knots-from", "--no-height-field", "--no-rescale-parameters", "--no-fill-holes"}
+        names = {"--tol": "tolerance", "--within": "measure", "--rms": "measure"}
+        for option in options_of(self.help("fit")) - others:
+            self.assertIn(names.get(option, option[2:].replace("-", "_")), stored)
+
+
+class Examples(ToolTest):
+    def test_examples_work_as_printed(self):
+        (self.folder / "samples").symlink_to(SAMPLES)
+        path = f"{os.path.dirname(os.path.abspath(TOOL))}:{os.environ['PATH']}"
+        for command in ([], ["fit"], ["eval"], ["info"], ["convert"]):
+            text = self.run_tool(*command, "--help").stdout
+            lines = [line.strip() for line in text.splitlines() if line.startswith("  knotfit ") and " -" in line]
+            self.assertGreaterEqual(len(lines), 3, text)
+            for line in lines:
+                with self.subTest(example=line):
+                    done = subprocess.run(shlex.split(line), cwd=self.folder, capture_output=True, text=True,
+                                          env={**os.environ, "PATH": path}, timeout=300)
+                    self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
+            for path_made in self.folder.iterdir():
+                if path_made.name != "samples":
+                    path_made.unlink()
+
+
+class ManPage(ToolTest):
+    def test_names_every_command_and_option(self):
+        text = MAN.read_text().replace("\\-", "-")
+        for command in COMMANDS:
+            self.assertIn(f"knotfit {command}", text)
+            for option in options_of(self.run_tool(command, "--help").stdout) - {"--help"}:
+                self.assertRegex(text, re.escape(option) + r"(?![a-z-])", f"{command} {option}")
+
+    def test_names_no_option_that_is_none(self):
+        known = {"--help", "--version"}
+        for command in COMMANDS:
+            known |= options_of(self.run_tool(command, "--help").stdout)
+        self.assertLessEqual(set(re.findall(r"--[a-z][a-z-]*", MAN.read_text().replace("\\-", "-"))), known)
+
+    def test_is_of_this_version(self):
+        self.assertIn(self.run_tool("--version").stdout.split()[1], MAN.read_text().splitlines()[1])
+
+    def test_can_be_set(self):
+        if not shutil.which("man"):
+            self.skipTest("there is no man")
+        done = subprocess.run(["man", "--warnings", "-l", str(MAN)], capture_output=True, text=True, timeout=60,
+                              env={**os.environ, "MANWIDTH": "100", "LC_ALL": "C.UTF-8"})
+        if "minimized" in done.stdout + done.stderr:
+            self.skipTest("this system has no manual pages")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+class Completions(ToolTest):
+    def test_every_shell_knows_every_option(self):
+        for name in ("knotfit.bash", "_knotfit", "knotfit.fish"):
+            text = (COMPLETION / name).read_text()
+            for command in COMMANDS:
+                self.assertIn(command, text)
+                for option in options_of(self.run_tool(command, "--help").stdout) - {"--help"}:
+                    wanted = f"-l {option[2:]}" if name.endswith("fish") else option
+                    self.assertRegex(text, re.escape(wanted) + r"(?![a-z-])", f"{name}: {command} {option}")
+
+    def complete(self, *words):
+        """What bash offers for the last word."""
+        script = f"""
+          source {shlex.quote(str(COMPLETION / 'knotfit.bash'))}
+          COMP_WORDS=({' '.join(shlex.quote(w) for w in words)}); COMP_CWORD={len(words) - 1}
+          _knotfit; printf '%s\\n' "${{COMPREPLY[@]}}"
+        """
+        path = f"{os.path.dirname(os.path.abspath(TOOL))}:{os.environ['PATH']}"
+        done = subprocess.run(["bash", "--norc", "-c", script], cwd=self.folder, capture_output=True, text=True,
+                              env={**os.environ, "PATH": path}, timeout=60)
+        self.assertEqual(done.stderr, "")
+        return done.stdout.split()
+
+    def test_bash_completes(self):
+        self.assertEqual(self.complete("knotfit", "con"), ["convert"])
+        self.assertEqual(self.complete("knotfit", "fit", "--knots-f"), ["--knots-from"])
+        self.assertEqual(self.complete("knotfit", "fit", "--refine", "s"), ["search"])
+        methods = self.run_tool("methods", "--names").stdout.split()
+        self.assertEqual(self.complete("knotfit", "fit", "--knots", ""), methods)
+        self.write("points.csv", "")
+        self.write("s.json", "")
+        self.assertEqual(self.complete("knotfit", "fit", "po"), ["points.csv"])
+        self.assertEqual(self.complete("knotfit", "eval", "s"), ["s.json"])
+
+    def test_shells_that_are_there_take_their_file(self):
+        for shell, name, arguments in [("zsh", "_knotfit", ["-n"]), ("fish", "knotfit.fish", ["--no-execute"]),
+                                       ("bash", "knotfit.bash", ["-n"])]:
+            if shutil.which(shell):
+                with self.subTest(shell=shell):
+                    done = subprocess.run([shell, *arguments, str(COMPLETION / name)], capture_output=True, text=True)
+                    self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,49 @@
+# bash completion for knotfit
+
+_knotfit() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command="" word options=""
+  local tool=${COMP_WORDS[0]}
+  COMPREPLY=()
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    case $word in fit | eval | info | convert | methods | formats) command=$word; break ;; esac
+  done
+
+  case $previous in
+    --knots) COMPREPLY=($(compgen -W "$("$tool" methods --names 2>/dev/null)" -- "$current")); return ;;
+    --input-format) COMPREPLY=($(compgen -W "$("$tool" formats --names 2>/dev/null)" -- "$current")); return ;;
+    --refine) COMPREPLY=($(compgen -W "search insert" -- "$current")); return ;;
+    --feature) COMPREPLY=($(compgen -W "hessian curvature" -- "$current")); return ;;
+    --spacing) COMPREPLY=($(compgen -W "chord centripetal uniform" -- "$current")); return ;;
+    --duplicates) COMPREPLY=($(compgen -W "fail mean lowest highest" -- "$current")); return ;;
+    --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
+    --points | --options | --knots-from | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
+    --tol | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
+      --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
+      --derivatives | --derivative) return ;;
+  esac
+
+  if [[ -z $command ]]; then
+    COMPREPLY=($(compgen -W "fit eval info convert methods formats --help --version" -- "$current"))
+    return
+  fi
+  local input="--input-format --columns --nodata" output="-o --output --force"
+  case $command in
+    fit)
+      options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
+        --knots --knots-u --knots-v --knots-from --refine --feature --smoothing $input --height-field
+        --spacing --rescale-parameters --duplicates $output --cell --fill-holes --json --between --threads
+        --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes" ;;
+    eval)
+      options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $input $output
+        --json --threads" ;;
+    info) options="$input --json" ;;
+    convert) options="$input $output --cell --grid" ;;
+    methods | formats) options="--names --json" ;;
+  esac
+  if [[ $current == -* ]]; then
+    COMPREPLY=($(compgen -W "$options --help" -- "$current"))
+  elif [[ $command != methods && $command != formats ]]; then
+    COMPREPLY=($(compgen -f -- "$current"))
+  fi
+}
+complete -o filenames -F _knotfit knotfit

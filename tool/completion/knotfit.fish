@@ -1,0 +1,65 @@
+# fish completion for knotfit
+
+set -l commands fit eval info convert methods formats
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -f
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -l version -d 'Print the version'
+complete -c knotfit -s h -l help -d 'Print help'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a fit -d 'Fit one B-spline surface to points or terrain'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a eval -d 'Values, derivatives and differences of a surface'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a info -d 'What a surface or a data file holds'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a convert -d 'Write a surface or data in another format'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a methods -d 'List the knot placement methods'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a formats -d 'List the file formats'
+
+set -l fit "__fish_seen_subcommand_from fit"
+set -l eval "__fish_seen_subcommand_from eval"
+set -l read "__fish_seen_subcommand_from fit eval info convert"
+set -l write "__fish_seen_subcommand_from fit eval convert"
+set -l list "__fish_seen_subcommand_from methods formats"
+
+complete -c knotfit -n $read -l input-format -x -a '(knotfit formats --names)' -d 'Format of the input'
+complete -c knotfit -n $read -l columns -x -d 'What the columns are'
+complete -c knotfit -n $read -l nodata -x -d 'Value that stands for a hole'
+complete -c knotfit -n $write -s o -l output -r -d 'Output file, the format by its extension'
+complete -c knotfit -n $write -l force -d 'Replace output files that exist'
+complete -c knotfit -n "__fish_seen_subcommand_from fit eval info methods formats" -l json -d 'JSON on standard output'
+complete -c knotfit -n "__fish_seen_subcommand_from fit eval" -l threads -x -d 'Threads'
+complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cell -x -d 'Cell size of an .asc output'
+complete -c knotfit -n "__fish_seen_subcommand_from eval convert" -l grid -x -d 'Places over the domain, NxM'
+
+complete -c knotfit -n $fit -l tol -x -d 'Largest error allowed, X or X%'
+complete -c knotfit -n $fit -l within -x -d 'Share of the points that must hold it'
+complete -c knotfit -n $fit -l rms -d 'The root mean square counts'
+complete -c knotfit -n $fit -l control-points -x -d 'Fixed size, NxM'
+complete -c knotfit -n $fit -l degree -x -d 'Degree along u and v'
+complete -c knotfit -n $fit -l max-control-points -x -d 'Most control points'
+complete -c knotfit -n $fit -l max-fits -x -d 'Most linear fits'
+complete -c knotfit -n $fit -l time-limit -x -d 'Seconds'
+complete -c knotfit -n $fit -l knots -x -a '(knotfit methods --names)' -d 'Placement method'
+complete -c knotfit -n $fit -l knots-u -x -d 'Interior knots along u'
+complete -c knotfit -n $fit -l knots-v -x -d 'Interior knots along v'
+complete -c knotfit -n $fit -l knots-from -r -d 'Knots of a surface'
+complete -c knotfit -n $fit -l refine -x -a 'search insert' -d 'Route to a tolerance'
+complete -c knotfit -n $fit -l feature -x -a 'hessian curvature' -d 'Feature measure'
+complete -c knotfit -n $fit -l smoothing -x -d 'Relative smoothing floor'
+complete -c knotfit -n $fit -l height-field -d 'Fit z over x, y'
+complete -c knotfit -n $fit -l spacing -x -a 'chord centripetal uniform' -d 'Parameters of rows'
+complete -c knotfit -n $fit -l rescale-parameters -d 'Map parameters to [0,1]'
+complete -c knotfit -n $fit -l duplicates -x -a 'fail mean lowest highest' -d 'Points with equal parameters'
+complete -c knotfit -n $fit -l fill-holes -d 'Heights where the input has holes'
+complete -c knotfit -n $fit -l between -x -a 'on off' -d 'Measure between the points'
+complete -c knotfit -n $fit -l quiet -d 'No progress and no summary'
+complete -c knotfit -n $fit -l options -r -d 'Repeat stored options'
+complete -c knotfit -n $fit -l no-height-field -d 'Undo a stored option'
+complete -c knotfit -n $fit -l no-rescale-parameters -d 'Undo a stored option'
+complete -c knotfit -n $fit -l no-fill-holes -d 'Undo a stored option'
+
+complete -c knotfit -n $eval -l at -x -d 'One place, A,B'
+complete -c knotfit -n $eval -l points -r -d 'Places of a file'
+complete -c knotfit -n $eval -l clamp -d 'Move places outside to the border'
+complete -c knotfit -n $eval -l derivatives -x -d 'All up to an order'
+complete -c knotfit -n $eval -l derivative -x -d 'One derivative, A,B'
+complete -c knotfit -n $eval -l normals -d 'Unit normals'
+complete -c knotfit -n $eval -l curvature -d 'Curvatures'
+
+complete -c knotfit -n $list -l names -d 'Names alone'
