@@ -51,6 +51,10 @@ Placement place_uniform(PlacementContext& context, int interior_u, int interior_
 Placement place_quantile(PlacementContext& context, int interior_u, int interior_v);
 Placement place_criterion(PlacementContext& context, int interior_u, int interior_v);
 Placement place_error_model(PlacementContext& context, int interior_u, int interior_v);
+Placement place_optimal(PlacementContext& context, int interior_u, int interior_v);
+
+/// The error model iterated at the counts of `start`; the best round by RMS.
+InteriorKnots error_model_from(PlacementContext& context, const InteriorKnots& start, int rounds);
 
 /// The body of the method of that name. \throws InvalidInput  unknown; lists those there are
 PlaceFunction find_method(std::string_view name);

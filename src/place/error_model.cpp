@@ -147,6 +147,12 @@ FineModel fit_fine_model(FitProblem& problem, int interior, const Control& contr
   return model;
 }
 
+InteriorKnots error_model_from(PlacementContext& context, const InteriorKnots& start, int rounds) {
+  const Rounds result = iterate(context.problem(), start, rounds, {.value = 0, .measure = ErrorMeasure::rms},
+                                [&] { return context.stop_requested(); });
+  return std::isfinite(result.error) ? result.best : start;
+}
+
 Placement place_error_model(PlacementContext& context, int interior_u, int interior_v) {
   const FineModel& fine = context.fine_model();
   InteriorKnots start{equal_shares(fine.breaks_u(), fine.mass_u, interior_u),

@@ -14,6 +14,9 @@ struct Entry {
 };
 
 constexpr std::array entries{
+    Entry{{"optimal", "knots that minimise the fitting error itself, by variable projection",
+           "Golub & Pereyra 1973; Kaufman 1975; Jupp 1978"},
+          place_optimal},
     Entry{{"error-model", "equal shares of the error that the present fit's derivatives predict, iterated",
            "de Boor, A Practical Guide to Splines (NEWNOT), carried to surfaces"},
           place_error_model},
@@ -56,6 +59,7 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   fit.smoothing = options.smoothing;
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
+  fit.use_grid = method != "optimal";
   FitProblem problem(points, options.degree_u, options.degree_v, fit);
   PlacementContext context(problem, options, control);
   Placement placement = place(context, options.interior_u, options.interior_v);

@@ -1,0 +1,13 @@
+// What one more knot would gain.
+#pragma once
+#include <vector>
+
+#include "fit/problem.h"
+namespace knotfit {
+
+/// For every span of one direction: gain = sum_j (sum w r phi B_j)^2 / sum w (phi B_j)^2 over the
+/// components, phi the function of the refined space centred on a new knot at the span's middle
+/// [METHOD 4]. One pass over the points. Spans of no length gain 0.
+std::vector<double> knot_gains(FitProblem& fitted, bool along_v);
+
+}  // namespace knotfit

@@ -1,0 +1,120 @@
+#include "place/relocate.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "fit/knot_gain.h"
+namespace knotfit {
+namespace {
+
+std::vector<double>& line(InteriorKnots& knots, bool along_v) {
+  return along_v ? knots.v : knots.u;
+}
+
+/// Inserts a knot at the middle of the span of greatest gain of the present fit.
+void insert_at_gain(FitProblem& problem, InteriorKnots& knots, bool along_v) {
+  const std::vector<double> gain = knot_gains(problem, along_v);
+  const auto span = std::max_element(gain.begin(), gain.end()) - gain.begin();
+  const Axis& axis = along_v ? problem.axis_v() : problem.axis_u();
+  auto& k = line(knots, along_v);
+  k.insert(k.begin() + span, axis.low(span) + axis.length(span) / 2);
+}
+
+LevenbergOptions with_steps(LevenbergOptions options, int steps) {
+  options.steps = steps;
+  return options;
+}
+
+}  // namespace
+
+std::vector<double> knot_losses(FitProblem& problem, const InteriorKnots& knots, bool along_v) {
+  const auto& k = along_v ? knots.v : knots.u;
+  std::vector<double> losses;
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    InteriorKnots without = knots;
+    auto& rest = line(without, along_v);
+    rest.erase(rest.begin() + static_cast<Index>(i));
+    problem.solve(without);
+    losses.push_back(problem.phi());
+  }
+  return losses;
+}
+
+double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
+                      const LevenbergOptions& levenberg, const RelocationOptions& options) {
+  for (int pass = 0; pass < options.passes; ++pass) {
+    bool moved = false;
+    for (bool along_v : {false, true}) {
+      if (line(knots, along_v).size() < 2 || (levenberg.stop && levenberg.stop())) continue;
+      const std::vector<double> loss = knot_losses(problem, knots, along_v);
+      std::vector<std::size_t> order(loss.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return loss[a] < loss[b]; });
+      order.resize(std::min<std::size_t>(order.size(), options.candidates));
+      for (std::size_t c : order) {
+        InteriorKnots trial = knots;
+        auto& k = line(trial, along_v);
+        k.erase(k.begin() + static_cast<Index>(c));
+        minimize_over_knots(problem, trial, with_steps(levenberg, 3));
+        insert_at_gain(problem, trial, along_v);
+        const double after = minimize_over_knots(problem, trial, levenberg);
+        if (after < phi * (1 - options.gain)) {
+          phi = after;
+          knots = trial;
+          moved = true;
+          break;
+        }
+      }
+    }
+    if (!moved) break;
+  }
+  problem.solve(knots);
+  return phi;
+}
+
+double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg) {
+  for (bool along_v : {false, true}) {
+    const int degree = along_v ? problem.degree_v() : problem.degree_u();
+    for (std::size_t i = 0; i + 1 < line(knots, along_v).size(); ++i) {
+      const auto& k = line(knots, along_v);
+      const double mean_span = 1.0 / static_cast<double>(k.size() + 1);
+      if (k[i] == k[i + 1] || k[i + 1] - k[i] > 0.05 * mean_span) continue;
+      InteriorKnots trial = knots;
+      auto& t = line(trial, along_v);
+      const double low = t[i], high = t[i + 1], tied = (low + high) / 2;
+      for (double& x : t)
+        if (x == low || x == high) x = tied;  // doubles may tie into triples
+      if (std::count(t.begin(), t.end(), tied) > degree) continue;
+      const double after = minimize_over_knots(problem, trial, levenberg);
+      if (after < phi) {
+        phi = after;
+        knots = trial;
+      }
+    }
+  }
+  problem.solve(knots);
+  return phi;
+}
+
+InteriorKnots adapt_knots(FitProblem& problem, InteriorKnots knots, std::size_t count_u, std::size_t count_v,
+                          const LevenbergOptions& levenberg, int steps) {
+  const LevenbergOptions few = with_steps(levenberg, steps);
+  for (bool along_v : {false, true}) {
+    const std::size_t wanted = along_v ? count_v : count_u;
+    while (line(knots, along_v).size() > wanted) {
+      const std::vector<double> loss = knot_losses(problem, knots, along_v);
+      auto& k = line(knots, along_v);
+      k.erase(k.begin() + (std::min_element(loss.begin(), loss.end()) - loss.begin()));
+      minimize_over_knots(problem, knots, few);
+    }
+    while (line(knots, along_v).size() < wanted) {
+      problem.solve(knots);
+      insert_at_gain(problem, knots, along_v);
+      minimize_over_knots(problem, knots, few);
+    }
+  }
+  return knots;
+}
+
+}  // namespace knotfit

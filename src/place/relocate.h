@@ -1,0 +1,29 @@
+// Knots moved across the others: how an optimisation leaves its local minimum [METHOD 3].
+#pragma once
+#include "place/levenberg.h"
+namespace knotfit {
+
+struct RelocationOptions {
+  int passes = 12;     ///< over both directions, at most
+  int candidates = 3;  ///< knots of least loss tried in a direction
+  double gain = 1e-3;  ///< relative fall of phi that keeps a move
+};
+
+/// phi without each knot in turn (copies of a multiple knot one at a time): plain fits.
+std::vector<double> knot_losses(FitProblem& problem, const InteriorKnots& knots, bool along_v);
+
+/// Drops the knot of least loss, inserts one at the greatest gain, optimises, keeps it if phi falls; until
+/// a pass over both directions finds none. The problem holds the fit of the result. \return phi there
+double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
+                      const LevenbergOptions& levenberg, const RelocationOptions& options = {});
+
+/// Ties knots that ended at the least distance into multiple ones, one unknown each, where that lowers
+/// phi: the data has a crease or a jump there. \return phi
+double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg);
+
+/// Adds knots at the greatest gain or drops those of least loss, `steps` Levenberg-Marquardt steps after
+/// each, until the counts are reached.
+InteriorKnots adapt_knots(FitProblem& problem, InteriorKnots knots, std::size_t count_u, std::size_t count_v,
+                          const LevenbergOptions& levenberg, int steps = 2);
+
+}  // namespace knotfit
