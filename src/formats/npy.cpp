@@ -37,7 +37,7 @@ template <bool kSwap>
 double load_half(const char* p) {
   const auto bits = load_bits<std::uint16_t, kSwap>(p);
   const int exponent = (bits >> 10) & 31, fraction = bits & 1023;
-  double value;
+  double value = 0;
   if (exponent == 31)
     value = fraction == 0 ? std::numeric_limits<double>::infinity() : kNan;
   else

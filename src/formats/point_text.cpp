@@ -165,7 +165,7 @@ bool parse_line(std::string_view text, std::span<const Role> roles, Separator se
     if (column == columns) return p == end || is_comment({p, static_cast<std::size_t>(end - p)});
     // Nothing is left: good only for a last column that is skipped and empty.
     if (p == end) return parted && column + 1 == columns && roles[column] == Role::skip;
-    const char* next;
+    const char* next = nullptr;
     if (roles[column] == Role::skip) {
       next = field_end(p, end, separator);
     } else {

@@ -1,12 +1,12 @@
 // Files written whole or not at all.
 #include <fcntl.h>
-#include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <ostream>
 #include <streambuf>
 #include <system_error>
