@@ -34,7 +34,7 @@ struct ThinPlace {
 /// The surface between the points against a local polyharmonic reference [METHOD 4, "Between the
 /// points"]. Promised: error bar e <= tolerance / 2 and no hole (nearest point within 0.35 h).
 struct BetweenReport {
-  bool measured = false;
+  bool measured = false;            ///< false where stopped or out of time: all else is empty then
   double between = 0;               ///< max |S - z*| over promised places
   double bound = 0;                 ///< max (|S - z*| + 2 e) over promised places
   double thin = 0;                  ///< share of the domain (random places) not promised
