@@ -154,7 +154,7 @@ double visible_share(const SurfaceSamples& s, const Camera& view) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const double area = s.area[s.at(rows[i], columns[j])];
       total += area;
-      if (buffer.visible(corners[i * columns.size() + j], 1e-3)) seen += area;
+      if (buffer.visible(corners[i * columns.size() + j], 1.5e-4)) seen += area;
     }
   return total > 0 ? seen / total : 1;
 }

@@ -3,14 +3,41 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
 namespace knotfit::report {
 namespace {
 
-constexpr Index kReach = 4;  // cells
-
 Index cell_of(double t, Index size) {
   return std::clamp<Index>(static_cast<Index>(std::floor(t * static_cast<double>(size))), 0, size - 1);
+}
+
+double squared_distance(Index a, Index b, Index size) {
+  const double i = static_cast<double>(a / size - b / size), j = static_cast<double>(a % size - b % size);
+  return i * i + j * j;
+}
+
+// The nearest cell with a value, for every cell, by two sweeps [Danielsson80]; -1 where all are empty.
+std::vector<Index> nearest_filled(const std::vector<double>& own, Index size) {
+  std::vector<Index> nearest(own.size(), -1);
+  for (Index k = 0; k < size * size; ++k)
+    if (!std::isnan(own[k])) nearest[k] = k;
+  auto take = [&](Index i, Index j, Index from_i, Index from_j) {
+    if (from_i < 0 || from_i >= size || from_j < 0 || from_j >= size) return;
+    const Index k = i * size + j, other = nearest[from_i * size + from_j];
+    if (other < 0) return;
+    if (nearest[k] < 0 || squared_distance(k, other, size) < squared_distance(k, nearest[k], size))
+      nearest[k] = other;
+  };
+  for (Index sweep : {1, -1}) {
+    for (Index step = 0; step < size; ++step) {
+      const Index i = sweep > 0 ? step : size - 1 - step;
+      for (Index j = 0; j < size; ++j) {
+        for (Index side : {-1, 0, 1}) take(i, j, i - sweep, j + side);
+        take(i, j, i, j - 1);
+      }
+      for (Index j = size - 1; j >= 0; --j) take(i, j, i, j + 1);
+    }
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -20,28 +47,21 @@ ErrorField::ErrorField(const ParameterizedPoints& points, const std::vector<doub
     : domain_(domain) {
   const Index n = points.size();
   if (n == 0 || errors.empty()) return;
-  // About one point a cell: as fine as the data tells.
-  size_ = std::clamp<Index>(static_cast<Index>(std::sqrt(static_cast<double>(n))), 12, 400);
-  const auto cells = static_cast<std::size_t>(size_ * size_);
-  std::vector<double> own(cells, NAN);
+  // Some three cells a mean distance of points, where that is not finer than a page shows.
+  const double across = std::sqrt(static_cast<double>(n));
+  size_ = std::clamp<Index>(static_cast<Index>(3 * across), 48, 600);
+  std::vector<double> own(static_cast<std::size_t>(size_ * size_), NAN);
   for (Index k = 0; k < n; ++k) {
     double& cell = own[cell_of(domain.to_unit_u(points.u(k)), size_) * size_ +
                        cell_of(domain.to_unit_v(points.v(k)), size_)];
     if (std::isnan(cell) || std::abs(errors[k]) > std::abs(cell)) cell = errors[k];
   }
-  value_.assign(cells, NAN);
-  parallel_for(size_, [&](Index i) {
-    for (Index j = 0; j < size_; ++j) {
-      Index nearest = kReach * kReach + 1;
-      for (Index a = std::max<Index>(0, i - kReach); a <= std::min(size_ - 1, i + kReach); ++a)
-        for (Index b = std::max<Index>(0, j - kReach); b <= std::min(size_ - 1, j + kReach); ++b) {
-          const Index square = (a - i) * (a - i) + (b - j) * (b - j);
-          if (square >= nearest || std::isnan(own[a * size_ + b])) continue;
-          nearest = square;
-          value_[i * size_ + j] = own[a * size_ + b];
-        }
-    }
-  });
+  const double reach = std::max(3.0, 4 * static_cast<double>(size_) / across);
+  const std::vector<Index> nearest = nearest_filled(own, size_);
+  value_.assign(own.size(), NAN);
+  for (Index k = 0; k < size_ * size_; ++k)
+    if (const Index from = nearest[k]; from >= 0 && squared_distance(k, from, size_) <= reach * reach)
+      value_[k] = own[from];
 }
 
 std::optional<double> ErrorField::at(double u, double v) const {

@@ -16,7 +16,7 @@ struct Domain {
 };
 
 /// On each cell of a grid the signed error of the point with the largest |error| there; cells
-/// without a point take the nearest cell's, within `reach` cells.
+/// without a point take the nearest cell's, up to four mean distances of points away.
 class ErrorField {
  public:
   ErrorField() = default;

@@ -5,11 +5,11 @@
 namespace knotfit::report {
 
 struct Layout {
-  double em = 17;        ///< size of body text
-  bool axes = true;      ///< ticks and names at the panels
-  bool headings = true;  ///< over the panels
-  Box title, surface_heading, surface, plane_heading, plane, legend, facts;  ///< zero: left out
-  std::vector<std::string> subtitle;                                         ///< in lines
+  double em = 17;                     ///< size of body text
+  bool full = true;                   ///< with headings, axes and figures; false on small pages
+  std::vector<std::string> subtitle;  ///< in lines
+  /// Zero width: left out.
+  Box title, subtitle_box, surface_heading, surface, plane_heading, plane, legend, facts;
 };
 
 Layout lay_out(const Canvas& canvas, const Content& content);

@@ -61,7 +61,7 @@ std::string count_text(Index count) {
   if (text.size() - first <= 4) return true_minus(text);
   for (std::size_t at = text.size(); at > first + 3;) {
     at -= 3;
-    text.insert(at, " ");  // thin space
+    text.insert(at, "\u2009");  // thin space
   }
   return true_minus(text);
 }

@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "knotfit/evaluate.h"
+#include "report/hidden_lines.h"
 #include "report/number_text.h"
 #include "report/surface_shading.h"
 #include "report/view_axes.h"
 namespace knotfit::report {
 namespace {
 
-constexpr double kSlack = 5e-5;        // of nearness: half a per cent of the scene's radius
 constexpr double kMostSamples = 24e6;  // depth samples of a picture, whatever its size
 
 // Moves and zooms the camera so that all points fall into the box.
@@ -34,79 +34,18 @@ void fit_into(Camera& camera, const std::vector<Vec3>& points, const Box& box) {
                    box.centre().y - camera.zoom * (y0 + y1) / 2};
 }
 
-// The visible runs of a polyline in space, in page units, points on a straight line left out.
-class LineDrawer {
- public:
-  LineDrawer(Canvas& canvas, const ZBuffer& buffer, const Camera& camera, const Box& panel, double pixels)
-      : canvas_(canvas), buffer_(buffer), camera_(camera), panel_(panel), pixels_(pixels) {}
-
-  void draw(const std::vector<Vec3>& line, double width, const Paint& paint) {
-    std::vector<Vec2> run;
-    auto end_run = [&] {
-      canvas_.polyline(simplified(run), width, paint);
-      run.clear();
-    };
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      const ScreenPoint a = camera_.project(line[k]), b = camera_.project(line[k + 1]);
-      const double pixel_length = pixels_ * std::hypot(b.x - a.x, b.y - a.y);
-      const int steps = std::clamp(static_cast<int>(std::ceil(pixel_length / 2)), 1, 4000);
-      for (int step = k == 0 ? 0 : 1; step <= steps; ++step) {
-        const double t = static_cast<double>(step) / steps;
-        const ScreenPoint p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y),
-                            a.nearness + t * (b.nearness - a.nearness)};
-        const bool seen =
-            buffer_.visible({(p.x - panel_.x) * pixels_, (p.y - panel_.y) * pixels_, p.nearness}, kSlack);
-        if (seen)
-          run.push_back({p.x, p.y});
-        else if (!run.empty())
-          end_run();
-      }
-    }
-    end_run();
-  }
-
- private:
-  static std::vector<Vec2> simplified(const std::vector<Vec2>& run) {
-    constexpr double kOff = 0.06;  // page units
-    std::vector<Vec2> out;
-    for (std::size_t k = 0; k < run.size();) {
-      out.push_back(run[k]);
-      if (k + 1 >= run.size()) break;
-      // The farthest end so that all points between stay near the chord.
-      std::size_t end = k + 1;
-      for (std::size_t next = k + 2; next < run.size() && next < k + 48; ++next) {
-        const Vec2 chord = run[next] - run[k];
-        const double l = std::max(length(chord), 1e-12);
-        bool straight = true;
-        for (std::size_t m = k + 1; m < next && straight; ++m) {
-          const Vec2 d = run[m] - run[k];
-          straight = std::abs(chord.x * d.y - chord.y * d.x) / l < kOff;
-        }
-        if (!straight) break;
-        end = next;
-      }
-      k = end;
-    }
-    return out;
-  }
-  Canvas& canvas_;
-  const ZBuffer& buffer_;
-  const Camera& camera_;
-  Box panel_;
-  double pixels_;
-};
-
 // Lines get thinner and fainter where they come close to each other.
 double crowding(double panel_size, std::size_t lines) {
   return std::clamp(panel_size / (18.0 * static_cast<double>(std::max<std::size_t>(lines, 1))), 0.3, 1.0);
 }
 
-void draw_knot_lines(LineDrawer& drawer, const SurfaceSamples& s, double size, double em) {
+void draw_knot_lines(Canvas& canvas, const Viewport& view, const SurfaceSamples& s, double size, double em) {
   const double unit = em / 17;
   auto draw = [&](bool along_v, std::size_t k, double width, double alpha) {
     std::vector<Vec3> line;
     auto end_line = [&] {
-      drawer.draw(line, width, {kInk, alpha});
+      for (const std::vector<Vec2>& run : visible_runs(line, view))
+        canvas.polyline(run, width, {kInk, alpha});
       line.clear();
     };
     const Index fixed = along_v ? s.knots_u[k] : s.knots_v[k];
@@ -171,6 +110,7 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
   for (const Triangle& t : mesh.triangles)
     for (std::int32_t k : t) drawn.push_back(mesh.position[k]);
   if (drawn.empty()) drawn = mesh.position;
+  if (framed) drawn.push_back({s.scene_low().x, s.scene_high().y, s.scene_high().z});  // axis of heights
   fit_into(camera, drawn, inner);
 
   int finer = 2;
@@ -191,8 +131,8 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
   const Image image = shade(content, mesh, buffer, corners, camera, finer, 0.42 * em * pixels);
   canvas.image({panel.x, panel.y, width / resolution, height / resolution}, image);
 
-  LineDrawer drawer(canvas, buffer, camera, panel, pixels);
-  draw_knot_lines(drawer, s, std::min(panel.width, panel.height), em);
+  const Viewport view{camera, buffer, {panel.x, panel.y}, pixels};
+  draw_knot_lines(canvas, view, s, std::min(panel.width, panel.height), em);
   if (framed)
     draw_frame(canvas, s, camera, base, em, content.input->unit);
   else if (axes)
@@ -207,8 +147,7 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
     const Vec3 at = surface.dimension() == 1 ? Vec3{content.map.from_u(u), content.map.from_v(v), p[0]}
                                              : Vec3{p[0], p[1], p[2]};
     const ScreenPoint q = camera.project(s.to_scene(at));
-    if (buffer.visible({(q.x - panel.x) * pixels, (q.y - panel.y) * pixels, q.nearness}, kSlack))
-      draw_worst_mark(canvas, {q.x, q.y}, em);
+    if (view.visible(q)) draw_worst_mark(canvas, {q.x, q.y}, em);
   }
   return caption(s);
 }

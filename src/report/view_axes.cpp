@@ -91,6 +91,11 @@ void draw_frame(Canvas& canvas, const SurfaceSamples& s, const Camera& camera, d
                 const std::string& unit) {
   const Vec3 low = s.scene_low(), high = s.scene_high();
   const ScreenPoint c = camera.project({(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2});
+  for (const Vec3& end : {Vec3{high.x, low.y, base}, Vec3{low.x, high.y, base}}) {
+    const ScreenPoint a = camera.project({low.x, low.y, base}), b = camera.project(end);
+    const std::array<Vec2, 2> ends{Vec2{a.x, a.y}, Vec2{b.x, b.y}};
+    canvas.polyline(ends, em / 17, {kInk, 0.35});
+  }
   std::vector<Box> taken;
   draw_axis(canvas, camera, {{low.x, low.y, base}, {high.x, low.y, base}, s.low.x, s.high.x, s.name_x, ""},
             {c.x, c.y}, em, 6, taken);
@@ -103,16 +108,26 @@ void draw_frame(Canvas& canvas, const SurfaceSamples& s, const Camera& camera, d
 
 void draw_triad(Canvas& canvas, const Camera& camera, Vec2 at, double em) {
   const double reach = 1.7 * em;
+  std::vector<Box> taken;
   const std::array<std::pair<Vec3, const char*>, 3> axes{
       {{{1, 0, 0}, "x"}, {{0, 1, 0}, "y"}, {{0, 0, 1}, "z"}}};
   for (const auto& [axis, name] : axes) {
     const Vec2 d{dot(axis, camera.right), -dot(axis, camera.up)};
     const std::array<Vec2, 2> ends{at, at + reach * d};
     canvas.polyline(ends, 1.4 * em / 17, {kInk, 0.8});
-    if (length(d) > 0.2)
+    // Two axes may point the same way on the page: the second name moves outward.
+    for (double further : {0.5, 1.4, 2.3}) {
+      if (length(d) < 0.2) break;
+      const Vec2 p = ends[1] + (further * em / length(d)) * d;
+      const Box box{p.x - 0.35 * em, p.y - 0.45 * em, 0.7 * em, 0.9 * em};
+      if (std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return other.overlaps(box); }))
+        continue;
+      taken.push_back(box);
       canvas.text(
-          ends[1] + (0.5 * em / length(d)) * d, name,
+          p, name,
           {.size = 0.82 * em, .paint = {kInk}, .horizontal = Align::middle, .vertical = Align::middle});
+      break;
+    }
   }
 }
 
