@@ -18,7 +18,7 @@ Axis::Axis(int degree, std::span<const double> interior)
   Index last = 0;
   for (Index s = 0; s < spans_; ++s) {
     low_[s] = low(s);
-    upper_[s] = low(s) + length(s);
+    upper_[s] = knots_[s + degree_ + 1];  // not low + length, which may round to another number
     scale_[s] = length(s) > 0 ? 2 / length(s) : 0;
     if (length(s) > 0) last = s;
   }

@@ -35,7 +35,7 @@ void one_blas_thread() {
 void BandMatrix::reset(Index size, Index bandwidth) {
   size_ = size;
   bandwidth_ = std::min(bandwidth, size - 1);
-  narrow(size_ * 1);
+  narrow(size_);
   data_.assign(static_cast<std::size_t>(size_ * (bandwidth_ + 1)), 0.0);
 }
 

@@ -51,13 +51,29 @@ bool FitProblem::factor(const InteriorKnots& knots) {
   return backend_->factor(u_, v_, options_.smoothing);
 }
 
+void FitProblem::evaluate(const InteriorKnots& knots, std::vector<double> net) {
+  knots_ = knots;
+  u_ = Axis(degree_u_, knots.u);
+  v_ = Axis(degree_v_, knots.v);
+  net_ = std::move(net);
+  scattered().arrange(u_, v_);
+  take(backend_->residuals(net_));
+}
+
+std::vector<double> FitProblem::errors() const {
+  std::vector<double> errors = backend_->errors();
+  if (scattered_) errors.resize(static_cast<std::size_t>(scattered_->counted()));
+  return errors;
+}
+
 void FitProblem::restore(std::vector<double> net, std::vector<double> residual) {
   net_ = std::move(net);
   take(scattered().set_residual(std::move(residual)));
 }
 
 void FitProblem::take(const ResidualSums& sums) {
-  rms_ = std::sqrt(sums.squares / static_cast<double>(points_.size()));
+  const Index counted = scattered_ ? scattered_->counted() : points_.size();
+  rms_ = std::sqrt(sums.squares / static_cast<double>(counted));
   max_ = sums.max;
   phi_ = sums.weighted;
 }
@@ -70,8 +86,10 @@ bool FitProblem::solve(const InteriorKnots& knots) {
   rms_ = max_ = phi_ = std::numeric_limits<double>::infinity();
   net_.clear();
   // Rounding can beat a very small floor: raise it rather than give up, and report what was used.
+  // A floor of the caller's own beyond what is raised to is tried as it is.
+  const double most = std::max(options_.smoothing, 1e-5);
   bool solved = false;
-  for (double floor = options_.smoothing; !solved && floor <= 1e-5; floor = std::max(100 * floor, 1e-12)) {
+  for (double floor = options_.smoothing; !solved && floor <= most; floor = std::max(100 * floor, 1e-12)) {
     if (!backend_->factor(u_, v_, floor)) continue;
     net_ = backend_->project_data();
     ResidualSums sums = backend_->residuals(net_);

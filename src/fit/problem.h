@@ -32,7 +32,8 @@ class FitProblem {
   double max() const { return max_; }
   double phi() const { return phi_; }  ///< sum w |r|^2
   double measured(const Tolerance& tolerance) const;
-  std::vector<double> errors() const { return backend_->errors(); }  ///< input order
+  /// Of the points that count, in input order.
+  std::vector<double> errors() const;
   double condition() const { return backend_->condition(); }
   double smoothing() const { return backend_->smoothing(); }
   Index empty_cells() const { return backend_->empty_cells(); }
@@ -42,6 +43,8 @@ class FitProblem {
   ScatteredBackend& scattered();
   /// Assembles and factors at these knots, as solve() does, and leaves net and residuals as they are.
   bool factor(const InteriorKnots& knots);
+  /// Takes any net on these knots and measures its residuals; nothing is factored.
+  void evaluate(const InteriorKnots& knots, std::vector<double> net);
   /// Takes a net that need not minimise anything, with its residuals (stored order).
   void restore(std::vector<double> net, std::vector<double> residual);
 

@@ -48,16 +48,24 @@ constexpr int pairs_of(int degree) {
 
 }  // namespace
 
-ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points) : order_(points) {}
+ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points)
+    : order_(points), counted_(points.size()) {}
 
-bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoothing) {
+void ScatteredBackend::arrange(const Axis& u, const Axis& v) {
   u_ = &u;
   v_ = &v;
   swapped_ = v.functions() > u.functions();
   outer_ = swapped_ ? &v : &u;
   inner_ = swapped_ ? &u : &v;
+  if (u.knots() == arranged_u_ && v.knots() == arranged_v_) return;
+  order_.sort(*outer_, *inner_, swapped_);
+  arranged_u_ = u.knots();
+  arranged_v_ = v.knots();
+}
+
+bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoothing) {
+  arrange(u, v);
   const Axis &outer = *outer_, &inner = *inner_;
-  order_.sort(outer, inner, swapped_);
   empty_cells_ = order_.empty_cells();
 
   const int d = order_.dimension(), stride = padded(inner.moments());
@@ -213,8 +221,7 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
         for (Index p = start[cell]; p < start[cell + 1]; ++p) {
           add_residuals(order_, pieces[p], outer.degree(), inner.degree(), local.data(), residual_.data());
           for (Index k = pieces[p].begin; k < pieces[p].end; ++k) {
-            const double square = squared(order_.stored(k));
-            sums[p] += {square, order_.weight(k) * square, square};
+            sums[p] += sums_of(order_.stored(k));
           }
         }
       }
@@ -228,17 +235,20 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
 
 ResidualSums ScatteredBackend::set_residual(std::vector<double> residual) {
   residual_ = std::move(residual);
-  const std::vector<double>& w = order_.weights();
   ResidualSums total = parallel_sum<ResidualSums>(order_.size(), [&](Index begin, Index end) {
     ResidualSums sum;
-    for (Index i = begin; i < end; ++i) {
-      const double square = squared(i);
-      sum += {square, (w.empty() ? 1.0 : w[i]) * square, square};
-    }
+    for (Index i = begin; i < end; ++i) sum += sums_of(i);
     return sum;
   });
   total.max = std::sqrt(total.max);
   return total;
+}
+
+ResidualSums ScatteredBackend::sums_of(Index stored) const {
+  const double square = squared(stored);
+  const double weight = order_.weights().empty() ? 1.0 : order_.weights()[stored];
+  const bool counts = order_.input(stored) < counted_;
+  return {counts ? square : 0, weight * square, counts ? square : 0};
 }
 
 double ScatteredBackend::squared(Index stored) const {

@@ -12,6 +12,8 @@ class ScatteredBackend final : public FitBackend {
  public:
   explicit ScatteredBackend(const ParameterizedPoints& points);
   bool factor(const Axis& u, const Axis& v, double relative_smoothing) override;
+  /// Sorts the points into the cells of these knots: all that residuals() needs.
+  void arrange(const Axis& u, const Axis& v);
   std::vector<double> project_data() override { return project(false); }
   std::vector<double> project_residual() override { return project(true); }
   ResidualSums residuals(const std::vector<double>& net) override;
@@ -25,6 +27,9 @@ class ScatteredBackend final : public FitBackend {
   const CellOrder& points() const { return order_; }
   /// Weights of the next fits, in the stored order.
   void set_weights(std::vector<double> weights) { order_.set_weights(std::move(weights)); }
+  /// Only the first `points` of the points given count in the sums of squares and the maximum.
+  void count_first(Index points) { counted_ = points; }
+  Index counted() const { return counted_; }
   /// S - P of the last residuals() call, in the stored order.
   const std::vector<double>& residual() const { return residual_; }
   /// Replaces it; the sums are those of residuals().
@@ -34,6 +39,7 @@ class ScatteredBackend final : public FitBackend {
   std::vector<double> project(bool residual);
   void add_smoothing(double relative);
   double squared(Index stored) const;  ///< |r|^2
+  ResidualSums sums_of(Index stored) const;
 
   CellOrder order_;
   const Axis* u_ = nullptr;
@@ -41,6 +47,8 @@ class ScatteredBackend final : public FitBackend {
   const Axis* outer_ = nullptr;  ///< the direction with more functions: the band is narrower so
   const Axis* inner_ = nullptr;
   bool swapped_ = false;
+  KnotVector arranged_u_, arranged_v_;  ///< knots of the present order
+  Index counted_;
   BandMatrix matrix_;
   double norm_ = 0;
   std::vector<double> moments_;   ///< a piece: outer moments x padded inner moments
