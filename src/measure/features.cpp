@@ -38,6 +38,8 @@ struct SampledDerivatives {
 /// Average of the values of each cell's points; cells without points take the nearest cell's value
 /// (breadth first, so ties go to the smaller index).
 FeatureMap averaged(const ParameterizedPoints& points, const std::vector<double>& values, Index size) {
+  validate(points);
+  if (size < 1) throw InvalidInput("a feature map needs at least one cell a direction");
   if (static_cast<Index>(values.size()) != points.size())
     throw InvalidInput(fmt::format("{} feature values for {} points", values.size(), points.size()));
   FeatureMap map{size, size, std::vector<double>(size * size, 0.0)};
