@@ -15,16 +15,28 @@ enum class RefineRoute {
   insert   ///< isolines inserted where features or errors are large, re-optimised [Zhang16]
 };
 
+/// How much work a search with the method "optimal" may take. Counted in fits, never in seconds.
+enum class Effort {
+  fast,      ///< knots optimised, no relocation, least squares only
+  balanced,  ///< relocation and joint minimax; a short walk down
+  best       ///< every start, every neighbour, second tries
+};
+
 struct RefineOptions {
   Tolerance tolerance;
   RefineRoute route = RefineRoute::search;
-  std::string method = "error-model";  ///< placement method of the size search
+  std::string method = "optimal";  ///< placement method of the size search
+  Effort effort = Effort::balanced;
+  /// Method "optimal": hold the surface between the data too, by fill points and a reserve of local
+  /// references [METHOD 4].
+  bool guard = true;
   int degree_u = 3, degree_v = 3;
   /// Most control points; 0: half of the points, and for scattered data at most 50 000.
   Index max_control_points = 0;
-  /// Most linear fits of one search. Budgets count fits, never seconds, so that a result does not
-  /// depend on the machine.
-  long max_fits = 3000;
+  /// Most linear fits of one search; 0: by the effort (placed knots 3 000; optimal: fast 2 000, balanced
+  /// 12 000, best 80 000). Budgets count fits, never seconds, so that a result does not depend on the
+  /// machine.
+  long max_fits = 0;
   double smoothing = 1e-9;
   FeatureMeasure feature = FeatureMeasure::hessian;
   FeatureMap user_features;
@@ -58,8 +70,12 @@ struct RefineResult {
   InteriorKnots knots;  ///< of the best surface: the smallest that holds, else the least error
   double error = 0;     ///< the error that counts, there
   long fits = 0;
-  std::vector<SizeTried> tried;  ///< in order
-  InteriorKnots metric;          ///< fine error-model knots (for BetweenOptions); may be empty
+  std::vector<SizeTried> tried;    ///< in order
+  InteriorKnots metric;            ///< fine error-model knots (for BetweenOptions); may be empty
+  Surface surface;                 ///< the best; with minimax its control points are not the least squares'
+  bool least_squares = true;       ///< they are
+  Index fill_points = 0;           ///< places between the data that the surface was held at
+  std::vector<std::string> notes;  ///< what a user should know of the search, a sentence each
 };
 
 /// \throws InvalidInput  tolerance <= 0 or not finite, or below rounding of the data; unknown method

@@ -31,6 +31,7 @@ class PlacementContext {
   const FeatureMap& features();
   /// The error model's fine stage [METHOD 2.1]; made once.
   const FineModel& fine_model();
+  void set_fine_model(FineModel model) { fine_model_ = std::move(model); }
   /// Spans a direction of a uniform pre-fit: clamp(share * sqrt(points), 8, 60), fewer where the
   /// points are few.
   int pre_fit_spans(double share) const;

@@ -5,57 +5,65 @@
 #include <limits>
 namespace knotfit {
 
-Index default_control_points(const FitProblem& problem) {
-  const Index minimum = Index{problem.degree_u() + 1} * (problem.degree_v() + 1);
-  Index most = problem.points().size() / 2;
-  if (!problem.on_grid()) most = std::min<Index>(most, 50000);
+Index default_control_points(const FitProblem& data) {
+  const Index minimum = Index{data.degree_u() + 1} * (data.degree_v() + 1);
+  Index most = data.points().size() / 2;
+  if (!data.on_grid()) most = std::min<Index>(most, 50000);
   return std::max(most, minimum);
 }
 
-Attempts::Attempts(FitProblem& problem, const RefineOptions& options, const Control& control)
-    : problem_(problem),
+Attempts::Attempts(const FitProblem& data, const RefineOptions& options, const Control& control,
+                   long max_fits)
+    : data_(data),
       options_(options),
       control_(control),
+      max_fits_(options.max_fits > 0 ? options.max_fits : max_fits),
       max_control_points_(options.max_control_points > 0 ? options.max_control_points
-                                                         : default_control_points(problem)),
-      best_error_(std::numeric_limits<double>::infinity()) {}
+                                                         : default_control_points(data)),
+      best_error_(std::numeric_limits<double>::infinity()) {
+  count(data);
+}
+
+long Attempts::fits() const {
+  long sum = 0;
+  for (const FitProblem* problem : problems_) sum += problem->fits();
+  return sum;
+}
 
 bool Attempts::allowed(Index functions_u, Index functions_v) const {
-  return functions_u <= problem_.most_functions_u() && functions_v <= problem_.most_functions_v() &&
+  return functions_u <= data_.most_functions_u() && functions_v <= data_.most_functions_v() &&
          functions_u * functions_v <= max_control_points_;
 }
 
-double Attempts::fit(const InteriorKnots& knots) {
-  problem_.solve(knots);
-  return take();
-}
-
-double Attempts::take() {
-  const double error = problem_.measured(options_.tolerance);
-  const Index size = problem_.control_points();
-  const bool good = holds(error);
-  const bool better = good
-                          ? (!best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_))
-                          : (!best_holds_ && (error < best_error_ || best_size_ == 0));
-  if (better) {
-    best_ = problem_.knots();
-    best_holds_ = good;
-    best_error_ = error;
-    best_size_ = size;
-  }
-  report();
+double Attempts::fit(FitProblem& problem, const InteriorKnots& knots) {
+  problem.solve(knots);
+  const double error = problem.measured(options_.tolerance);
+  offer(problem, error);
   return error;
 }
 
-void Attempts::report() {
+void Attempts::offer(const FitProblem& problem, double error, bool least_squares) {
+  const Index size = problem.control_points();
+  const bool good = holds(error);
+  const bool better = good
+                          ? (!best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_))
+                          : (!best_holds_ && error < best_error_);
+  if (better) {
+    best_ = problem.knots();
+    surface_ = problem.surface();
+    best_holds_ = good;
+    best_error_ = error;
+    best_size_ = size;
+    least_squares_ = least_squares;
+  }
   if (!control_.progress) return;
   Progress progress;
   progress.stage = stage_;
   progress.error = best_error_;
   progress.tolerance = options_.tolerance.value;
-  progress.size_u = static_cast<int>(problem_.axis_u().functions());
-  progress.size_v = static_cast<int>(problem_.axis_v().functions());
-  progress.fits = problem_.fits();
+  progress.size_u = static_cast<int>(problem.axis_u().functions());
+  progress.size_v = static_cast<int>(problem.axis_v().functions());
+  progress.fits = fits();
   control_.progress(progress);
 }
 
@@ -63,14 +71,18 @@ void Attempts::list(Index functions_u, Index functions_v, double error) {
   tried_.push_back({static_cast<int>(functions_u), static_cast<int>(functions_v), error, holds(error)});
 }
 
+bool Attempts::stopped() const {
+  if (control_.stop.stop_requested()) return true;
+  if (!(control_.time_limit > 0)) return false;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
+         control_.time_limit;
+}
+
 bool Attempts::interrupted() {
   if (interruption_ != Status::not_run) return true;
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-  if (control_.stop.stop_requested())
-    interruption_ = Status::stopped;
-  else if (control_.time_limit > 0 && spent.count() > control_.time_limit)
-    interruption_ = Status::time_limit;
-  else if (problem_.fits() >= options_.max_fits)
+  if (stopped())
+    interruption_ = control_.stop.stop_requested() ? Status::stopped : Status::time_limit;
+  else if (fits() >= max_fits_)
     interruption_ = Status::limit_reached;
   return interruption_ != Status::not_run;
 }
@@ -84,8 +96,10 @@ RefineResult Attempts::finish(Status unmet) const {
                   : interruption_ != Status::not_run ? interruption_
                                                      : unmet;
   result.knots = best_;
+  result.surface = surface_;
+  result.least_squares = least_squares_;
   result.error = best_error_;
-  result.fits = problem_.fits();
+  result.fits = fits();
   result.tried = tried_;
   return result;
 }

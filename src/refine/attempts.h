@@ -1,4 +1,4 @@
-// What both routes to a tolerance share: the best surface so far, budgets, stop and progress.
+// What every route to a tolerance shares: the best surface so far, budgets, stop and progress.
 #pragma once
 #include <chrono>
 #include <string_view>
@@ -9,26 +9,31 @@ namespace knotfit {
 
 class Attempts {
  public:
-  Attempts(FitProblem& problem, const RefineOptions& options, const Control& control);
+  /// \param data  the points themselves: their number and grid lines limit the sizes
+  Attempts(const FitProblem& data, const RefineOptions& options, const Control& control, long max_fits);
 
-  /// Fits on these knots and keeps them if they are the best so far. \return the error that counts
-  double fit(const InteriorKnots& knots);
-  /// Takes the problem's last solve as fit() would.
-  double take();
+  /// Another problem whose fits count.
+  void count(const FitProblem& problem) { problems_.push_back(&problem); }
+  long fits() const;
+
+  /// Fits on these knots and offers the result. \return the error that counts
+  double fit(FitProblem& problem, const InteriorKnots& knots);
+  /// Keeps the surface the problem holds if it is the best so far.
+  void offer(const FitProblem& problem, double error, bool least_squares = true);
   bool holds(double error) const { return error <= options_.tolerance.value; }
-  /// A size is done with: listed in the result, reported to the caller.
+  /// A size is done with: listed in the result.
   void list(Index functions_u, Index functions_v, double error);
 
   /// Stopped, out of time or out of fits; the status says which.
   bool interrupted();
+  /// Stopped or out of time; cheap, for inner loops.
+  bool stopped() const;
   Status interruption() const { return interruption_; }
   void set_stage(std::string_view stage) { stage_ = stage; }
 
-  Index max_control_points() const { return max_control_points_; }
   bool own_limit() const { return options_.max_control_points > 0; }  ///< the caller's, not the default
   const Tolerance& tolerance() const { return options_.tolerance; }
-  FitProblem& problem() { return problem_; }
-  /// Fewer than half the points, and the data's own count where it fills a grid.
+  /// Within the limit on control points, and what the data's own lines can tell apart.
   bool allowed(Index functions_u, Index functions_v) const;
 
   /// Best: the fewest control points that hold, else the least error.
@@ -37,28 +42,26 @@ class Attempts {
   const InteriorKnots& best() const { return best_; }
 
  private:
-  void report();
-  FitProblem& problem_;
+  const FitProblem& data_;
   const RefineOptions& options_;
   const Control& control_;
+  long max_fits_;
   Index max_control_points_;
+  std::vector<const FitProblem*> problems_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::string_view stage_;
   Status interruption_ = Status::not_run;
   InteriorKnots best_;
-  bool best_holds_ = false;
+  Surface surface_;
+  bool best_holds_ = false, least_squares_ = true;
   double best_error_;
   Index best_size_ = 0;
   std::vector<SizeTried> tried_;
 };
 
-/// The routes. \return knots of the best surface, its status and what was tried
-RefineResult search_sizes(FitProblem& problem, const RefineOptions& options, const Control& control);
-RefineResult insert_isolines(FitProblem& problem, const RefineOptions& options, const Control& control);
-
 /// Default limit on control points: half the points; for scattered data at most 50 000, since their
 /// band matrix grows with the power 3/2.
-Index default_control_points(const FitProblem& problem);
+Index default_control_points(const FitProblem& data);
 
 /// The residual's RMS only follows the noise: two sizes in a row gain no more than control points
 /// gain on white noise, near the noise level found in the data.

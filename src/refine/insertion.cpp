@@ -45,7 +45,7 @@ class Marginal {
 class Insertion {
  public:
   Insertion(FitProblem& problem, const RefineOptions& options, const Control& control)
-      : attempts_(problem, options, control),
+      : attempts_(problem, options, control, 3000),
         problem_(problem),
         control_(control),
         context_(problem, placement_options(options), control),
@@ -83,7 +83,7 @@ class Insertion {
       knots.u.pop_back();
       if (!knots.v.empty()) knots.v.pop_back();
     }
-    double error = attempts_.fit(knots);
+    double error = attempts_.fit(problem_, knots);
     attempts_.list(problem_.axis_u().functions(), problem_.axis_v().functions(), error);
     while (!attempts_.holds(error)) {
       if (attempts_.interrupted()) return attempts_.interruption();
@@ -95,10 +95,10 @@ class Insertion {
         return attempts_.own_limit() ? Status::limit_reached : Status::data_too_sparse;
       const int count_u = static_cast<int>(inserted.u.size()), count_v = static_cast<int>(inserted.v.size());
       InteriorKnots best = inserted;
-      error = attempts_.fit(inserted);
+      error = attempts_.fit(problem_, inserted);
       auto consider = [&](const InteriorKnots& candidate) {
         if (attempts_.holds(error) || attempts_.interrupted()) return;
-        if (const double e = attempts_.fit(candidate); e < error) {
+        if (const double e = attempts_.fit(problem_, candidate); e < error) {
           error = e;
           best = candidate;
         }
@@ -201,7 +201,7 @@ class Insertion {
       };
       auto try_without = [&](bool v, double knot) {
         work += problem_.work(problem_.axis_u().functions(), problem_.axis_v().functions());
-        return attempts_.fit(without(knots, v, knot));
+        return attempts_.fit(problem_, without(knots, v, knot));
       };
       for (bool v : {false, true})
         for (double knot : v ? knots.v : knots.u) {

@@ -6,7 +6,7 @@
 
 #include "knotfit/errors.h"
 #include "place/context.h"
-#include "refine/attempts.h"
+#include "refine/size_solver.h"
 namespace knotfit {
 
 std::string_view to_string(Status status) {
@@ -42,7 +42,7 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
     throw InvalidInput(fmt::format("the tolerance is {}: it must be positive and finite", t.value));
   if (t.measure == ErrorMeasure::percentile && !(t.share > 0 && t.share < 1))
     throw InvalidInput(fmt::format("a percentile of {} %: it must lie between 0 and 100 %", 100 * t.share));
-  if (options.max_fits < 1) throw InvalidInput("at least one fit must be allowed");
+  if (options.max_fits < 0) throw InvalidInput("the number of fits allowed is negative");
   const Index minimum = Index{options.degree_u + 1} * (options.degree_v + 1);
   if (options.max_control_points != 0 && options.max_control_points < minimum)
     throw InvalidInput(
@@ -54,8 +54,9 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
   FitProblem problem(points, options.degree_u, options.degree_v, fit);
-  return options.route == RefineRoute::search ? search_sizes(problem, options, control)
-                                              : insert_isolines(problem, options, control);
+  if (options.route == RefineRoute::insert) return insert_isolines(problem, options, control);
+  return options.method == "optimal" ? search_optimal(problem, options, control)
+                                     : search_placed(problem, options, control);
 }
 
 }  // namespace knotfit

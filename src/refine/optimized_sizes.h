@@ -1,0 +1,51 @@
+// Sizes whose knots minimise the error: Levenberg-Marquardt, relocation, joint minimax [METHOD 3, 4].
+#pragma once
+#include <map>
+#include <optional>
+
+#include "place/relocate.h"
+#include "refine/guard.h"
+#include "refine/size_solver.h"
+namespace knotfit {
+
+class OptimizedSizes final : public SizeSolver {
+ public:
+  /// \param problem  scattered, over the guard's points where there is a guard, else over the data
+  /// \param context  of that problem, with the fine model set
+  OptimizedSizes(FitProblem& problem, PlacementContext& context, Guard* guard, Attempts& attempts,
+                 const RefineOptions& options);
+
+  const SizeOutcome& solve(const Spans& spans, const Spans* from) override;
+  const SizeOutcome* seen(const Spans& spans) const override;
+  bool hopeless(const Spans& spans) const override;
+  const WalkPolicy& policy() const override { return policy_; }
+
+ private:
+  struct Entry {
+    SizeOutcome outcome;
+    InteriorKnots knots, minimax;  ///< the least-squares optimum, and the knots of the least maximum
+  };
+  struct Start {
+    InteriorKnots knots;
+    double phi = 0, error = 0;
+  };
+
+  std::vector<InteriorKnots> starts(const Spans& spans, const Entry* from, bool strong, const Entry& entry);
+  /// From a least-squares optimum: the tolerance by minimax, honest by exchange. Offers what it finds.
+  void finish(Entry& entry, const Start& start);
+  double measured() const;
+  void use_base_weights();
+
+  FitProblem& problem_;
+  PlacementContext& context_;
+  Guard* guard_;
+  Attempts& attempts_;
+  const RefineOptions& options_;
+  bool to_maximum_;
+  PointShares shares_;
+  WalkPolicy policy_;
+  LevenbergOptions levenberg_;
+  std::map<Spans, Entry> seen_;
+};
+
+}  // namespace knotfit
