@@ -82,7 +82,7 @@ class Arrangement {
   // The plane over the legend, as wide as the height allows.
   void two_columns() {
     const double apart = 1.1 * em_;
-    const double least = std::min(0.34 * box_.width, 27 * em_);
+    const double least = std::min(0.40 * box_.width, 27 * em_);
     double width = 0.40 * box_.width;
     while (width > least && heading() + plane_height(width) + apart + legend_height(width) > box_.height)
       width *= 0.98;

@@ -25,11 +25,11 @@ std::vector<Entry> entries(const Content& c) {
   std::vector<Entry> out{{Mark::knots, "knot lines"}};
   if (c.worst >= 0 && c.max > 0) out.push_back({Mark::worst, "worst point"});
   if (!c.thin.empty()) out.push_back({Mark::thin, "data too thin to promise anything"});
-  if (c.gaps) out.push_back({Mark::gap, "no data near"});
+  if (c.gaps) out.push_back({Mark::gap, "no data"});
   return out;
 }
 
-constexpr double kMarkWidth = 1.7, kGap = 1.5, kRow = 1.65, kText = 0.85;  // in em
+constexpr double kMarkWidth = 1.6, kGap = 1.2, kRow = 1.65, kText = 0.85;  // in em
 
 // Entries in rows no wider than the box: for each its x and row.
 std::vector<std::pair<double, int>> flow(const Canvas& canvas, const std::vector<Entry>& list, double width,

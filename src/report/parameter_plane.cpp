@@ -57,7 +57,7 @@ void draw_discs(Canvas& canvas, const Content& content, const Plane& plane, doub
     const Vec2 p = plane.at(content.points().u(k), content.points().v(k));
     canvas.disc(p, radius, {point_colour(content, k)});
     // An outline keeps pale points visible on white.
-    if (radius > 0.1 * em) canvas.ring(p, radius, 0.035 * em, {kInk, 0.45});
+    if (radius > 0.18 * em) canvas.ring(p, radius, 0.035 * em, {kInk, 0.45});
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "knotfit/evaluate.h"
@@ -68,6 +69,28 @@ void draw_knot_lines(Canvas& canvas, const Viewport& view, const SurfaceSamples&
   }
 }
 
+// Middle of the corner of the panel that the surface covers least, the lower left first.
+Vec2 emptiest_corner(const Viewport& view, const Box& panel, double half) {
+  Vec2 best;
+  int least = std::numeric_limits<int>::max();
+  for (const Vec2 at :
+       {Vec2{panel.x + half, panel.bottom() - half}, Vec2{panel.right() - half, panel.bottom() - half},
+        Vec2{panel.x + half, panel.y + half}, Vec2{panel.right() - half, panel.y + half}}) {
+    int covered = 0;
+    for (int i = -8; i <= 8; ++i)
+      for (int j = -8; j <= 8; ++j) {
+        const int x = static_cast<int>((at.x + i * half / 8 - view.corner.x) * view.pixels);
+        const int y = static_cast<int>((at.y + j * half / 8 - view.corner.y) * view.pixels);
+        const bool inside = x >= 0 && y >= 0 && x < view.buffer.width() && y < view.buffer.height();
+        covered += inside && view.buffer.triangle(x, y) >= 0;
+      }
+    if (covered >= least) continue;
+    least = covered;
+    best = at;
+  }
+  return best;
+}
+
 std::string caption(const SurfaceSamples& s) {
   std::string out;
   if (!s.height_field) {
@@ -102,7 +125,7 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
   Box inner = panel;
   if (framed) {
     const double side = 4.2 * em;
-    inner = {panel.x + side, panel.y + 0.6 * em, panel.width - 1.3 * side, panel.height - 3.2 * em};
+    inner = {panel.x + side, panel.y + 1.4 * em, panel.width - 1.3 * side, panel.height - 4.0 * em};
   } else {
     inner = {panel.x + em, panel.y + em, panel.width - 2 * em, panel.height - 2 * em};
   }
@@ -136,7 +159,7 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
   if (framed)
     draw_frame(canvas, s, camera, base, em, content.input->unit);
   else if (axes)
-    draw_triad(canvas, camera, {panel.x + 2.4 * em, panel.bottom() - 2.4 * em}, em);
+    draw_triad(canvas, camera, emptiest_corner(view, panel, 2.6 * em), em);
 
   if (content.worst >= 0 && content.max > 0) {
     const double u = std::clamp(content.points().u(content.worst), content.domain.u0, content.domain.u1);
@@ -147,7 +170,8 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
     const Vec3 at = surface.dimension() == 1 ? Vec3{content.map.from_u(u), content.map.from_v(v), p[0]}
                                              : Vec3{p[0], p[1], p[2]};
     const ScreenPoint q = camera.project(s.to_scene(at));
-    if (view.visible(q)) draw_worst_mark(canvas, {q.x, q.y}, em);
+    const bool in_panel = q.x > panel.x && q.x < panel.right() && q.y > panel.y && q.y < panel.bottom();
+    if (in_panel && view.visible(q)) draw_worst_mark(canvas, {q.x, q.y}, em);
   }
   return caption(s);
 }
