@@ -31,9 +31,13 @@ const FeatureMap& PlacementContext::features() {
       features_ = options_.user_features;
     } else {
       const int interior = pre_fit_spans(0.6) - 1;
-      problem_.solve({uniform_knots(interior), uniform_knots(interior)});
-      const Surface s = problem_.surface();
-      features_ = options_.feature == FeatureMeasure::curvature ? curvature_features(s) : hessian_features(s);
+      if (problem_.solve({uniform_knots(interior), uniform_knots(interior)})) {
+        const Surface s = problem_.surface();
+        features_ =
+            options_.feature == FeatureMeasure::curvature ? curvature_features(s) : hessian_features(s);
+      } else {  // no fit to measure: no place is better than another
+        features_ = FeatureMap{1, 1, {1.0}};
+      }
     }
   }
   return *features_;

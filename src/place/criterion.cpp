@@ -1,4 +1,6 @@
 // The cell criterion E(U,V) = sum_ij F_ij^2 and its descent [Zhang16; METHOD 2.2].
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -178,6 +180,9 @@ Placement descend_criterion(const FeatureMap& features, InteriorKnots start, dou
 
 InteriorKnots equal_share(const FeatureMap& features, int interior_u, int interior_v) {
   validate(features);
+  if (interior_u < 0 || interior_v < 0)
+    throw InvalidInput(
+        fmt::format("{} x {} interior knots: neither may be negative", interior_u, interior_v));
   auto direction = [&](bool v, int count) {
     const Index size = v ? features.size_v : features.size_u;
     std::vector<double> breaks(size + 1), mass(size, 0.0);

@@ -55,6 +55,9 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   if (options.interior_u < 0 || options.interior_v < 0)
     throw InvalidInput(fmt::format("{} x {} interior knots: neither may be negative", options.interior_u,
                                    options.interior_v));
+  if (options.rounds < 0 || options.sweeps < 0)
+    throw InvalidInput(
+        fmt::format("{} rounds and {} sweeps: neither may be negative", options.rounds, options.sweeps));
   LeastSquaresOptions fit;
   fit.smoothing = options.smoothing;
   fit.refinement_steps = 0;

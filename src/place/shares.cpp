@@ -32,9 +32,16 @@ void widen_spans(std::vector<double>& knots, double relative) {
     before = end;
   }
   if (*std::min_element(length.begin(), length.end()) >= floor) return;
-  for (int pass = 0; pass < 5; ++pass) {  // widening some shrinks the others, which may need it then
+  // Widening some shrinks the others, which may need it then: at most a pass a span.
+  for (std::size_t before_pass = 0;;) {
+    std::size_t fixed_count = 0;
     double fixed = 0, free = 0;
-    for (double h : length) h <= floor ? fixed += floor : free += h;
+    for (double h : length) {
+      fixed_count += h <= floor;
+      h <= floor ? fixed += floor : free += h;
+    }
+    if (fixed_count == before_pass) break;
+    before_pass = fixed_count;
     for (double& h : length) h = h <= floor ? floor : h * (1 - fixed) / free;
   }
   double at = 0;
