@@ -198,7 +198,7 @@ int run_fit(const FitArguments& arguments) {
   bool default_tolerance = false;
   const FitChoices choices = complete(arguments, default_tolerance);
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
-  StopOnSignal stop;  // before the library's threads
+  StopOnSignal stop;
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
 

@@ -213,7 +213,8 @@ std::string options_to_json(const FitChoices& choices) {
 void add_stored_options(FitChoices& choices, const std::string& path) {
   const bool size_given = choices.control_points.has_value();
   const bool knots_given = choices.knots && choices.knots->given;
-  for (const auto& [name, value] : stored_options(path).items()) {
+  const Json stored = stored_options(path);
+  for (const auto& [name, value] : stored.items()) {
     const Row* found = find_row(name);
     if (!found) throw FileError(path, "options: \"" + name + "\" is not an option of this version");
     if (value.is_null() || found->given(choices)) continue;

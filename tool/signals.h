@@ -1,12 +1,11 @@
 // Ctrl-C: the first asks the work to stop and keep its best, a second ends the program.
 #pragma once
-#include <atomic>
 #include <stop_token>
 #include <thread>
 namespace knotfit::tool {
 
-/// While it lives, SIGINT and SIGTERM request a stop. Make it before other threads start: they
-/// inherit that the signals are blocked, so that only the thread here waits for them.
+/// While it lives, SIGINT and SIGTERM request a stop; one at a time in a process. A signal that
+/// was ignored when the program began (nohup) stays ignored.
 class StopOnSignal {
  public:
   StopOnSignal();
@@ -18,7 +17,6 @@ class StopOnSignal {
 
  private:
   std::stop_source source_;
-  std::atomic<bool> finished_ = false;
   std::thread waiter_;
 };
 

@@ -246,7 +246,7 @@ class Knots(ToolTest):
     def test_smoothing_is_passed_on(self):
         self.write_points()
         rough = self.run_json("fit", "points.csv", "--control-points", "10")["error"]["rms"]
-        smooth = self.run_json("fit", "points.csv", "--control-points", "10", "--smoothing", "1")["error"]["rms"]
+        smooth = self.run_json("fit", "points.csv", "--control-points", "10", "--smoothing", "1e-3")["error"]["rms"]
         self.assertGreater(smooth, rough)
 
 
@@ -377,9 +377,9 @@ class BadInput(ToolTest):
         self.write("one.csv", "x,y,z,u,v\n" + "".join(f"{u},{v},{u * v},{u},0.5\n" for u, v in grid))
         self.write_points()
         for name, words in [
-            ("missing.csv", ["missing.csv", "No such file"]), (".", ["folder"]),
+            ("missing.csv", ["missing.csv", "no such file"]), (".", ["folder"]),
             ("equal.csv", ["equal.csv", "equal"]), ("line.csv", ["line.csv", "straight line"]),
-            ("weights.csv", ["weights.csv", "weight"]), ("one.csv", ["one.csv", "same parameter v"]),
+            ("weights.csv", ["weights.csv", "weight"]), ("one.csv", ["one.csv", "v = 0.5"]),
             ("scan.las", ["scan.las"]),
         ]:
             with self.subTest(name=name):
@@ -394,7 +394,7 @@ class BadInput(ToolTest):
 
 
 class Options(ToolTest):
-    FIT = ("fit", "points.csv", "--tol", "2%", "--within", "99%", "--degree", "3x2", "--knots", "uniform",
+    FIT = ("fit", "points.csv", "--tol", "5%", "--within", "99%", "--degree", "3x2", "--knots", "uniform",
            "--smoothing", "1e-8", "--max-fits", "500")
 
     def test_every_option_is_stored_and_repeats_the_same_surface(self):
@@ -405,7 +405,7 @@ class Options(ToolTest):
         self.assertEqual((self.folder / "a.json").read_bytes(), (self.folder / "b.json").read_bytes())
         self.assertEqual(self.load("a.json")["options"], first["options"])
         stored = first["options"]
-        self.assertEqual((stored["tolerance"], stored["measure"], stored["degree"]), ("2%", "99%", [3, 2]))
+        self.assertEqual((stored["tolerance"], stored["measure"], stored["degree"]), ("5%", "99%", [3, 2]))
         self.assertEqual((stored["knots"], stored["smoothing"], stored["max_fits"]), ("uniform", 1e-8, 500))
 
     def test_options_repeat_from_the_output_of_json_too(self):
@@ -418,8 +418,8 @@ class Options(ToolTest):
     def test_the_command_line_wins(self):
         self.write_points()
         self.run_json(*self.FIT, "-o", "a.json")
-        again = self.run_json("fit", "points.csv", "--options", "a.json", "--tol", "3%", "--degree", "2")
-        self.assertEqual((again["options"]["tolerance"], again["degree"]), ("3%", [2, 2]))
+        again = self.run_json("fit", "points.csv", "--options", "a.json", "--tol", "6%", "--degree", "2")
+        self.assertEqual((again["options"]["tolerance"], again["degree"]), ("6%", [2, 2]))
         self.assertEqual(again["options"]["knots"], "uniform")
 
     def test_sizes_and_knots_of_both_do_not_mix(self):
