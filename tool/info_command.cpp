@@ -80,6 +80,25 @@ DataFacts facts_of(const PointRows& rows) {
   return facts;
 }
 
+DataFacts facts_of(const Mesh& mesh) {
+  DataFacts facts{.content = "mesh"};
+  facts.read_as = "its vertices, with parameters from a map of the mesh";
+  const MeshReport report = inspect(mesh);
+  facts.counts = {{"vertices", mesh.vertex_count()},
+                  {"triangles", mesh.face_count()},
+                  {"parts", report.parts},
+                  {"boundary_loops", static_cast<Index>(report.loop_edges.size())},
+                  {"euler_characteristic", report.euler_characteristic}};
+  facts.ranges = {{"x"}, {"y"}, {"z"}};
+  for (Index k = 0; k < mesh.vertex_count(); ++k)
+    for (int d = 0; d < 3; ++d) facts.ranges[d].take(mesh.vertex(k)[d]);
+  for (std::size_t k = 0; k < mesh.uv.size(); ++k) {
+    if (k == 0) facts.ranges.insert(facts.ranges.end(), {{"u"}, {"v"}});
+    facts.ranges[3 + k % 2].take(mesh.uv[k]);
+  }
+  return facts;
+}
+
 DataFacts facts_of(const SourceData& data) {
   DataFacts facts = std::visit([](const auto& content) { return facts_of(content); }, data.content);
   facts.holes = count_holes(data);
@@ -87,6 +106,8 @@ DataFacts facts_of(const SourceData& data) {
       [](const auto& content) {
         if constexpr (requires { content.size(); })
           return content.size();
+        else if constexpr (requires { content.vertex_count(); })
+          return content.vertex_count();
         else
           return static_cast<Index>(content.z.size());
       },

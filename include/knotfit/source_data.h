@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "knotfit/index.h"
+#include "knotfit/mesh.h"
 namespace knotfit {
 
 /// Heights on a regular grid; NaN is a hole. Row 0 is the north (largest y).
@@ -49,8 +50,8 @@ struct PointRows {
 /// What a reader returns.
 struct SourceData {
   std::string path;    ///< as named by the user
-  std::string format;  ///< "esri-ascii", "csv", "npy", "rows"
-  std::variant<Raster, PointTable, PointRows> content;
+  std::string format;  ///< "esri-ascii", "csv", "npy", "rows", "ply", "obj", "off", "stl"
+  std::variant<Raster, PointTable, PointRows, Mesh> content;
 };
 
 }  // namespace knotfit

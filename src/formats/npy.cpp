@@ -2,13 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <utility>
 
+#include "formats/binary_number.h"
 #include "formats/columns.h"
 #include "formats/nodata.h"
 #include "formats/npy_header.h"
@@ -19,57 +17,12 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-template <class Bits, bool kSwap>
-Bits load_bits(const char* p) {
-  unsigned char bytes[sizeof(Bits)];
-  std::memcpy(bytes, p, sizeof bytes);
-  if constexpr (kSwap) std::reverse(bytes, bytes + sizeof bytes);
-  return std::bit_cast<Bits>(bytes);
-}
-
-template <class T, class Bits, bool kSwap>
-double load(const char* p) {
-  return static_cast<double>(std::bit_cast<T>(load_bits<Bits, kSwap>(p)));
-}
-
-/// IEEE 754 binary16.
-template <bool kSwap>
-double load_half(const char* p) {
-  const auto bits = load_bits<std::uint16_t, kSwap>(p);
-  const int exponent = (bits >> 10) & 31, fraction = bits & 1023;
-  double value = 0;
-  if (exponent == 31)
-    value = fraction == 0 ? std::numeric_limits<double>::infinity() : kNan;
-  else
-    value = exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
-  return (bits & 0x8000) != 0 ? -value : value;
-}
-
-using Load = double (*)(const char*);
-
-template <bool kSwap>
-Load choose_load(char kind, int size) {
-  if (kind == 'f') {
-    if (size == 2) return load_half<kSwap>;
-    return size == 4 ? load<float, std::uint32_t, kSwap> : load<double, std::uint64_t, kSwap>;
-  }
-  if (kind == 'i') {
-    if (size == 1) return load<std::int8_t, std::uint8_t, kSwap>;
-    if (size == 2) return load<std::int16_t, std::uint16_t, kSwap>;
-    return size == 4 ? load<std::int32_t, std::uint32_t, kSwap> : load<std::int64_t, std::uint64_t, kSwap>;
-  }
-  if (size == 1) return load<std::uint8_t, std::uint8_t, kSwap>;
-  if (size == 2) return load<std::uint16_t, std::uint16_t, kSwap>;
-  return size == 4 ? load<std::uint32_t, std::uint32_t, kSwap> : load<std::uint64_t, std::uint64_t, kSwap>;
-}
-
 /// The items of the array as doubles, whatever their type, byte order and storage order.
 class Items {
  public:
   Items(const FileBytes& file, const NpyHeader& header)
       : data_(file.view().data() + header.offset), size_(header.item_size), stride_(header.shape.size()) {
-    const bool swap = header.big_endian != (std::endian::native == std::endian::big);
-    load_ = swap ? choose_load<true>(header.kind, size_) : choose_load<false>(header.kind, size_);
+    load_ = number_loader({header.kind, size_}, header.big_endian);
     Index step = 1;
     for (std::size_t k = 0; k < stride_.size(); ++k) {
       const std::size_t axis = header.fortran_order ? k : stride_.size() - 1 - k;
@@ -86,7 +39,7 @@ class Items {
   double at(Index k) const { return load_(data_ + k * size_); }
   const char* data_;
   int size_;
-  Load load_ = nullptr;
+  LoadNumber load_ = nullptr;
   std::vector<Index> stride_;
 };
 

@@ -14,6 +14,11 @@ SourceData read_rows(const FileBytes& file, const ReadOptions& options);
 /// a table otherwise.
 SourceData read_text_points(const FileBytes& file, const ReadOptions& options);
 SourceData read_npy(const FileBytes& file, const ReadOptions& options);
+/// Meshes; points where the file has no faces.
+SourceData read_ply(const FileBytes& file, const ReadOptions& options);
+SourceData read_obj(const FileBytes& file, const ReadOptions& options);
+SourceData read_off(const FileBytes& file, const ReadOptions& options);
+SourceData read_stl(const FileBytes& file, const ReadOptions& options);
 
 /// read_data on bytes already in memory: the format from options, else from the path's extension,
 /// else from the content.

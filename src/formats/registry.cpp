@@ -32,6 +32,14 @@ constexpr std::array kFormats = {
            read_npy},
     Format{{"npy-grid", "", "NumPy array H x W of heights, also where W is 3, 5 or 6", true, false},
            read_npy},
+    Format{{"ply", ".ply", "mesh or points, text or binary; x, y, z and s, t or u, v", true, true}, read_ply},
+    Format{{"obj", ".obj", "Wavefront mesh: v, vt, polygons", true, true}, read_obj},
+    Format{{"off", ".off", "mesh: vertices and polygons in text", true, false}, read_off},
+    Format{{"stl", ".stl", "triangles, text or binary; equal corners become one vertex", true, false},
+           read_stl},
+    Format{
+        {"vtk", ".vts", "VTK structured grid of the surface, with error, normal and curvature", false, true},
+        nullptr},
     Format{{"knotfit-json", ".json", "a knotfit surface", false, true}, nullptr},
 };
 
@@ -42,9 +50,9 @@ constexpr std::array<FormatInfo, kFormats.size()> infos() {
 }
 constexpr std::array kInfos = infos();
 
-// Meshes, clouds and rasters of later versions: a clearer word than "unknown".
+// Clouds, rasters and CAD files of later versions: a clearer word than "unknown".
 constexpr std::string_view kLater =
-    " .tif .tiff .ply .obj .off .stl .las .laz .pcd .vtk .vtp .step .stp .igs .iges .dem .img .nc .gpkg ";
+    " .tif .tiff .las .laz .pcd .vtk .vtp .step .stp .igs .iges .dem .img .nc .gpkg ";
 
 /// Extension of the last part of a path, in lower case with its dot; empty: none.
 std::string extension_of(const std::string& path) {
@@ -84,6 +92,8 @@ const Format* by_extension(std::string_view extension) {
 
 const Format* by_content(std::string_view bytes) {
   if (bytes.starts_with(kNpyMagic)) return by_name("npy");
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return by_name("ply");
+  if (bytes.starts_with("OFF")) return by_name("off");
   return looks_like_esri_ascii(bytes) ? by_name("esri-ascii") : nullptr;
 }
 

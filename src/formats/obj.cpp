@@ -1,0 +1,176 @@
+// Wavefront OBJ: v, vt, f; what belongs to looks, groups and free-form curves is left out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "formats/mesh_builder.h"
+#include "formats/number.h"
+#include "formats/readers.h"
+#include "formats/text_numbers.h"
+#include "knotfit/errors.h"
+namespace knotfit {
+namespace {
+
+constexpr std::string_view kIgnored =
+    " vn vp g o s mg p l usemtl mtllib usemap maplib bevel c_interp d_interp lod shadow_obj trace_obj ctech "
+    "stech "
+    "cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con bsp bzp cdc res call csh ";
+
+/// Lines without their comments, those that end with a backslash joined with the next.
+class ObjLines {
+ public:
+  explicit ObjLines(std::string_view text) : lines_(text) {}
+  bool next(TextLine& line) {
+    if (!lines_.next(line)) return false;
+    strip(line.text);
+    if (!line.text.ends_with('\\')) return true;
+    joined_.assign(line.text.substr(0, line.text.size() - 1));
+    TextLine more;
+    while (lines_.next(more)) {
+      strip(more.text);
+      const bool goes_on = more.text.ends_with('\\');
+      joined_ += ' ';
+      joined_ += more.text.substr(0, more.text.size() - (goes_on ? 1 : 0));
+      if (!goes_on) break;
+    }
+    line.text = trimmed(joined_);
+    return true;
+  }
+
+ private:
+  static void strip(std::string_view& text) { text = trimmed(text.substr(0, text.find('#'))); }
+  LineReader lines_;
+  std::string joined_;
+};
+
+/// A line's first word and the rest.
+std::pair<std::string_view, std::string_view> split_word(std::string_view line) {
+  const char* const end = line.data() + line.size();
+  const char* stop = line.data();
+  while (stop < end && !is_blank(*stop)) ++stop;
+  const auto length = static_cast<std::size_t>(stop - line.data());
+  return {line.substr(0, length), line.substr(length)};
+}
+
+class ObjReader {
+ public:
+  explicit ObjReader(const FileBytes& file) : file_(file), text_(text_of(file)), builder_(file, 1) {}
+
+  SourceData read() {
+    count_lines();
+    if (vertices_ == 0) {
+      const std::string kind = foreign_kind(file_.view());
+      throw FileError(file_.path(), fmt::format("is not an OBJ mesh: it has no vertex (v) line{}",
+                                                kind.empty() ? "" : " and begins like " + kind));
+    }
+    builder_.reserve(vertices_, faces_, true);
+    uv_.reserve(static_cast<std::size_t>(2 * parameters_));
+    read_vertices();
+    // Points with as many parameters: one each.
+    if (faces_ == 0 && parameters_ == vertices_)
+      for (std::size_t k = 0; k < uv_.size(); k += 2) builder_.add_parameters(uv_[k], uv_[k + 1]);
+    if (faces_ == 0) return {file_.path(), "obj", builder_.points()};
+    read_faces();
+    return {file_.path(), "obj", builder_.finish()};
+  }
+
+ private:
+  void count_lines() {
+    ObjLines lines(text_);
+    TextLine line;
+    while (lines.next(line)) {
+      const auto [word, rest] = split_word(line.text);
+      if (word == "v") {
+        ++vertices_;
+      } else if (word == "vt") {
+        ++parameters_;
+      } else if (word == "f" || word == "fo") {
+        ++faces_;
+      } else if (!word.empty() && kIgnored.find(fmt::format(" {} ", word)) == std::string_view::npos) {
+        throw FileError(file_.path(), static_cast<long long>(line.number),
+                        fmt::format("{} is no keyword of an OBJ file", in_quotes(word)));
+      }
+    }
+  }
+
+  void read_vertices() {
+    ObjLines lines(text_);
+    TextLine line;
+    while (lines.next(line)) {
+      const auto [word, rest] = split_word(line.text);
+      if (word == "v") {
+        LineNumbers numbers(file_, line, rest, "vertex");
+        double xyz[3];
+        for (double& x : xyz) x = numbers.number();
+        // A weight or a colour may follow.
+        while (!numbers.at_end()) numbers.number();
+        builder_.add_vertex(xyz, line.number);
+      } else if (word == "vt") {
+        LineNumbers numbers(file_, line, rest, "texture vertex");
+        uv_.push_back(numbers.number());
+        uv_.push_back(numbers.at_end() ? 0 : numbers.number());
+      }
+    }
+  }
+
+  void read_faces() {
+    ObjLines lines(text_);
+    TextLine line;
+    Index vertices = 0, parameters = 0;  // so far: what negative numbers count back from
+    std::vector<std::int32_t> corners;
+    while (lines.next(line)) {
+      const auto [word, rest] = split_word(line.text);
+      vertices += word == "v";
+      parameters += word == "vt";
+      if (word != "f" && word != "fo") continue;
+      corners.clear();
+      LineNumbers tokens(file_, line, rest, "face");
+      while (!tokens.at_end()) {
+        const std::string_view token = tokens.token();
+        const std::size_t slash = token.find('/');
+        const Index v = index(token.substr(0, slash), "vertex", vertices, vertices_, line);
+        corners.push_back(static_cast<std::int32_t>(v));
+        if (slash == std::string_view::npos) continue;
+        const std::string_view tail = token.substr(slash + 1);
+        const std::string_view vt = tail.substr(0, tail.find('/'));
+        if (vt.empty()) continue;
+        const Index t = index(vt, "texture vertex", parameters, parameters_, line);
+        builder_.set_corner_parameters(corners.back(), uv_[2 * static_cast<std::size_t>(t)],
+                                       uv_[2 * static_cast<std::size_t>(t) + 1]);
+      }
+      builder_.add_face(corners, line.number);
+    }
+  }
+
+  /// From 0, of a number from 1 or one that counts back from the last so far.
+  Index index(std::string_view token, const char* what, Index so_far, Index there_are,
+              const TextLine& line) const {
+    Index k = 0;
+    const auto [next, error] = std::from_chars(token.data(), token.data() + token.size(), k);
+    const auto face = builder_.face_count() + 1;
+    if (error != std::errc() || next != token.data() + token.size())
+      builder_.fail(line.number, fmt::format("face {} (counted from 1): {} is no number of a {}", face,
+                                             in_quotes(token), what));
+    const Index at = k < 0 ? so_far + k : k - 1;
+    if (at < 0 || at >= there_are)
+      builder_.fail(line.number, fmt::format("face {} (counted from 1) names {} {}, but {}", face, what, k,
+                                             k < 0 ? fmt::format("only {} stand before it", so_far)
+                                                   : fmt::format("there are {}, counted from 1", there_are)));
+    return at;
+  }
+
+  const FileBytes& file_;
+  std::string_view text_;
+  MeshBuilder builder_;
+  Index vertices_ = 0, parameters_ = 0, faces_ = 0;
+  std::vector<double> uv_;  // of vt lines
+};
+
+}  // namespace
+
+SourceData read_obj(const FileBytes& file, const ReadOptions&) {
+  return ObjReader(file).read();
+}
+
+}  // namespace knotfit
