@@ -105,7 +105,7 @@ std::string nonmanifold_edge_text(const Mesh& mesh, const MeshReport& report, co
   const auto e = std::find_if(topology.edges.begin(), topology.edges.end(),
                               [](const MeshEdge& edge) { return edge.count > 2; });
   return fmt::format(
-      "the edge between vertices {} and {} has {} faces{}, more than two (non-manifold edge); the third is "
+      "the edge between vertices {} and {} has {} faces, more than two (non-manifold edge); the third is "
       "{}. "
       "Delete faces there until two are left, or cut the mesh open along the edge",
       names.number(report.nonmanifold_edge[0]), names.number(report.nonmanifold_edge[1]), e->count,
