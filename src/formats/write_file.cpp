@@ -1,4 +1,6 @@
 // Files written whole or not at all.
+#include "formats/write_file.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -146,9 +148,15 @@ void check_writable(const std::string& path, bool force) {
 }
 
 void write_file(const std::string& path, bool force, const std::function<void(std::ostream&)>& write) {
+  write_checked_file(path, force, write, {});
+}
+
+void write_checked_file(const std::string& path, bool force, const std::function<void(std::ostream&)>& write,
+                        const std::function<void(const std::string&)>& check) {
   const Target target = find_target(path, force);
   OpenFile file;
   if (target.special) {
+    if (check) throw FileError(path, "is no plain file: what is read back before it counts needs one");
     file.fd = ::open(target.file.c_str(), O_WRONLY | O_CLOEXEC);
     if (file.fd < 0) throw FileError(path, "cannot be written: " + reason(errno));
   } else {
@@ -169,6 +177,7 @@ void write_file(const std::string& path, bool force, const std::function<void(st
   file.fd = -1;
   if (::close(fd) != 0 && errno != EINTR) throw WriteError(path, "writing failed: " + reason(errno));
   if (target.special) return;
+  if (check) check(file.temporary);
 
   if (const int error = rename_to(file.temporary, target.file.string(), force); error != 0) {
     if (error == EEXIST) throw FileError(path, "exists already; --force replaces it");
