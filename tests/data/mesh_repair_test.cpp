@@ -1,0 +1,231 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "data/mesh_topology.h"
+#include "knotfit/errors.h"
+#include "meshes.h"
+#include "support/expect_throw.h"
+#include "support/random_splines.h"
+namespace knotfit::test {
+namespace {
+
+double area(const Mesh& mesh) {
+  double sum = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) sum += face_area(mesh, f);
+  return sum;
+}
+
+/// What came from the mesh is where it was.
+void expect_same_places(const Mesh& before, const RepairedMesh& after) {
+  ASSERT_EQ(static_cast<Index>(after.kept.size()), after.mesh.vertex_count());
+  for (Index k = 0; k < after.mesh.vertex_count(); ++k) {
+    if (after.kept[k] < 0) continue;
+    for (int d = 0; d < 3; ++d) EXPECT_EQ(after.mesh.vertex(k)[d], before.vertex(after.kept[k])[d]);
+  }
+}
+
+TEST(MeshRepair, NothingAskedChangesNothing) {
+  const Mesh mesh = sheet(3, 2);
+  const RepairedMesh out = repair(mesh, {});
+  EXPECT_EQ(out.mesh.vertices, mesh.vertices);
+  EXPECT_EQ(out.mesh.faces, mesh.faces);
+  EXPECT_EQ(out.summary.dropped_vertices, 0);
+  std::vector<Index> all(static_cast<std::size_t>(mesh.vertex_count()));
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(out.kept, all);
+}
+
+TEST(MeshRepair, UnusedVerticesGo) {
+  Mesh mesh = sheet(2, 2);
+  mesh.vertices.insert(mesh.vertices.begin(), {9, 9, 9});
+  for (auto& c : mesh.faces)
+    for (auto& v : c) ++v;
+  for (Index k = 0; k < mesh.vertex_count(); ++k) {
+    mesh.vertex_line.push_back(k + 1);
+    mesh.uv.insert(mesh.uv.end(), {static_cast<double>(k), -1.0});
+  }
+  const RepairedMesh out = repair(mesh, {});
+  EXPECT_EQ(out.mesh.vertex_count(), 9);
+  EXPECT_EQ(out.kept[0], 1);
+  EXPECT_EQ(out.mesh.vertex_line[0], 2);
+  EXPECT_EQ(out.mesh.uv[0], 1);
+  EXPECT_EQ(out.mesh.vertex_source[0], 1);
+  EXPECT_EQ(out.summary.dropped_vertices, 1);
+  expect_same_places(mesh, out);
+}
+
+TEST(MeshRepair, LargestPartIsByArea) {
+  Mesh mesh = sheet(8, 8);  // many faces
+  for (double& x : mesh.vertices) x *= 0.1;
+  append(mesh, sheet(2, 2), 5);  // few, of more area
+  const RepairedMesh out = repair(mesh, {.largest_part = true});
+  EXPECT_EQ(out.mesh.face_count(), 8);
+  EXPECT_EQ(out.summary.dropped_parts, 1);
+  EXPECT_EQ(out.summary.dropped_faces, 128);
+  EXPECT_EQ(out.summary.dropped_vertices, 81);
+  EXPECT_EQ(out.mesh.face_source[0], 128);
+  EXPECT_EQ(out.mesh.vertex_source[0], 81);
+  EXPECT_NO_THROW(require_disk(out.mesh));
+  expect_same_places(mesh, out);
+}
+
+TEST(MeshRepair, MessagesAfterARepairNameTheFilesOwnNumbers) {
+  Mesh mesh = sheet(1, 1);
+  for (double& x : mesh.vertices) x *= 0.1;
+  Mesh other = sheet(4, 4);
+  std::swap(other.faces[13][0], other.faces[13][1]);
+  append(mesh, other, 5);
+  const RepairedMesh out = repair(mesh, {.largest_part = true});
+  expect_throw<InvalidInput>([&] { require_disk(out.mesh); }, "face 15 (counted from 0)");
+}
+
+TEST(MeshRepair, FilledHolesMakeADiskOfVirtualFaces) {
+  const Mesh mesh = with_hole(sheet(9, 9), 9, {{2, 2}, {6, 6}, {6, 7}});
+  const RepairedMesh out = repair(mesh, {.fill_holes = true});
+  EXPECT_EQ(out.summary.filled_holes, 2);
+  EXPECT_NO_THROW(require_disk(out.mesh));
+  EXPECT_EQ(out.mesh.face_count(), mesh.face_count() + 4 + 6);
+  EXPECT_EQ(std::count(out.mesh.virtual_face.begin(), out.mesh.virtual_face.end(), 1), 10);
+  EXPECT_EQ(std::count(out.kept.begin(), out.kept.end(), -1), 2);
+  EXPECT_EQ(std::count(out.mesh.face_source.begin(), out.mesh.face_source.end(), -1), 10);
+  expect_same_places(mesh, out);
+}
+
+TEST(MeshRepair, ASlitIsFilledWithoutFlatFaces) {
+  // Two copies of the vertices along an inner line: a hole of no width.
+  Mesh mesh = sheet(6, 2);
+  for (std::size_t k = 2; k < mesh.vertices.size(); k += 3) mesh.vertices[k] = 0;
+  const auto n = static_cast<std::int32_t>(mesh.vertex_count());
+  for (std::int32_t i = 2; i <= 4; ++i)
+    for (int d = 0; d < 3; ++d)
+      mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(3 * (7 + i) + d)]);
+  for (std::size_t f = 12; f < mesh.faces.size(); ++f)  // the upper row has the copies
+    for (auto& v : mesh.faces[f])
+      if (v >= 9 && v <= 11) v = n + v - 9;
+  EXPECT_EQ(inspect(mesh).loop_edges.size(), 2U);
+  const RepairedMesh out = repair(mesh, {.fill_holes = true});
+  EXPECT_NO_THROW(require_disk(out.mesh));
+}
+
+TEST(MeshRepair, OrientTurnsTheFewer) {
+  Random random;
+  for (int round = 0; round < 20; ++round) {
+    Mesh mesh = sheet(7, 6);
+    const Mesh good = mesh;
+    Index turned = 0;
+    for (auto& c : mesh.faces)
+      if (random.unit() < 0.3) {
+        std::swap(c[1], c[2]);
+        ++turned;
+      }
+    if (2 * turned >= mesh.face_count()) continue;
+    const RepairedMesh out = repair(mesh, {.orient = true});
+    EXPECT_EQ(out.summary.turned_faces, turned);
+    EXPECT_EQ(out.mesh.faces, good.faces);
+    EXPECT_NO_THROW(require_disk(out.mesh));
+  }
+}
+
+TEST(MeshRepair, OrientRefusesAMoebiusBand) {
+  expect_throw<InvalidInput>([] { repair(band(9, true), {.orient = true}); },
+                             "--orient finds no orientation");
+}
+
+TEST(MeshRepair, NeedlesAreClosedByMergingTheirVertices) {
+  Mesh mesh = sheet(5, 5);
+  for (int d = 0; d < 3; ++d)
+    mesh.vertices[static_cast<std::size_t>(3 * 15 + d)] = mesh.vertices[static_cast<std::size_t>(3 * 14 + d)];
+  const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
+  EXPECT_EQ(out.summary.dropped_faces, 2);
+  EXPECT_EQ(out.summary.dropped_vertices, 1);
+  EXPECT_EQ(out.mesh.face_count(), 48);
+  EXPECT_NO_THROW(require_disk(out.mesh));
+  expect_same_places(mesh, out);
+}
+
+TEST(MeshRepair, ACapGivesItsCornerToTheFaceBeyond) {
+  // Vertex 4 lies on the edge 0-2 of face (0, 2, 3): a flat face (0, 4, 2) fills no gap.
+  Mesh mesh;
+  mesh.vertices = {0, 0, 0, 1, -1, 0, 2, 0, 0, 1, 1, 0, 1, 0, 0};
+  mesh.faces = {{0, 1, 4}, {1, 2, 4}, {0, 4, 2}, {0, 2, 3}};
+  ASSERT_EQ(inspect(mesh).degenerate_face, 2);
+  const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
+  EXPECT_EQ(out.summary.dropped_faces, 1);
+  EXPECT_EQ(out.mesh.face_count(), 4);
+  EXPECT_NO_THROW(require_disk(out.mesh));
+  EXPECT_NEAR(area(out.mesh), 2, 1e-15);
+  EXPECT_EQ(out.mesh.face_source, (std::vector<Index>{0, 1, 3, 3}));
+}
+
+TEST(MeshRepair, ACapAtTheBorderJustGoes) {
+  Mesh mesh = sheet(3, 3);
+  for (std::size_t k = 2; k < mesh.vertices.size(); k += 3) mesh.vertices[k] = 0;
+  mesh.faces.push_back({0, 2, 1});  // beyond the lower border, flat
+  const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
+  EXPECT_EQ(out.mesh.face_count(), 18);
+  EXPECT_NO_THROW(require_disk(out.mesh));
+}
+
+TEST(MeshRepair, RandomCollapsedEdgesLeaveADisk) {
+  Random random;
+  for (int round = 0; round < 100; ++round) {
+    Mesh mesh = sheet(8, 8);
+    std::vector<char> taken(81, 0);
+    // Inner vertices, far from each other, moved onto their right neighbours.
+    for (int k = 0; k < 6; ++k) {
+      const int i = random.integer(2, 5), j = random.integer(2, 6), v = 9 * j + i;
+      bool near = false;
+      for (int b = -2; b <= 2; ++b)
+        for (int a = -2; a <= 2; ++a)
+          near = near ||
+                 (v + 9 * b + a >= 0 && v + 9 * b + a < 81 && taken[static_cast<std::size_t>(v + 9 * b + a)]);
+      if (near) continue;
+      taken[static_cast<std::size_t>(v)] = 1;
+      std::copy_n(mesh.vertices.begin() + 3 * (v + 1), 3, mesh.vertices.begin() + 3 * v);
+    }
+    const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
+    EXPECT_NO_THROW(require_disk(out.mesh));
+    EXPECT_NEAR(area(out.mesh), area(mesh), 1e-13);
+  }
+}
+
+TEST(MeshRepair, AFlatMeshLeavesNothing) {
+  Mesh mesh;
+  mesh.vertices = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0};
+  mesh.faces = {{0, 1, 2}, {1, 3, 2}, {0, 0, 1}};
+  expect_throw<InvalidInput>([&] { repair(mesh, {.drop_degenerate = true}); }, "nothing is left of the mesh");
+}
+
+TEST(MeshRepair, AnySoupOfFacesComesThrough) {
+  // No promise but that it ends, throws nothing but InvalidInput, and names sound vertices.
+  Random random;
+  for (int round = 0; round < 2000; ++round) {
+    Mesh mesh;
+    const int n = random.integer(3, 9);
+    for (int k = 0; k < 3 * n; ++k) mesh.vertices.push_back(random.integer(0, 3));
+    for (int f = random.integer(1, 14); f > 0; --f)
+      mesh.faces.push_back({random.integer(0, n - 1), random.integer(0, n - 1), random.integer(0, n - 1)});
+    try {
+      const RepairedMesh out = repair(mesh, {.largest_part = random.integer(0, 1) == 1,
+                                             .fill_holes = random.integer(0, 1) == 1,
+                                             .orient = random.integer(0, 1) == 1,
+                                             .drop_degenerate = random.integer(0, 2) > 0});
+      inspect(out.mesh);
+      expect_same_places(mesh, out);
+      if (inspect(out.mesh).degenerate_face < 0) EXPECT_EQ(inspect(out.mesh).unused_vertices, 0);
+      EXPECT_EQ(out.mesh.face_source.empty() || out.mesh.face_source.size() == out.mesh.faces.size(), true);
+    } catch (const InvalidInput&) {
+    }
+  }
+}
+
+TEST(MeshRepair, RefusesListsOfAnotherLength) {
+  Mesh mesh = sheet(2, 2);
+  mesh.face_line.assign(3, 1);
+  expect_throw<InvalidInput>([&] { repair(mesh, {}); }, "of another number");
+}
+
+}  // namespace
+}  // namespace knotfit::test
