@@ -29,15 +29,24 @@ struct FitOptions {
   int control_points_u = 0, control_points_v = 0;
   /// Interior knots given; their size is fixed by them.
   std::optional<InteriorKnots> knots;
-  std::string method = "error-model";
+  std::string method = "optimal";
+  Effort effort = Effort::balanced;
+  bool guard = true;  ///< hold a search with "optimal" between the data too
   RefineRoute route = RefineRoute::search;
   int degree_u = 3, degree_v = 3;
   Index max_control_points = 0;
-  long max_fits = 3000;
+  long max_fits = 0;  ///< 0: by the effort
   double smoothing = 1e-9;
   FeatureMeasure feature = FeatureMeasure::hessian;
   FeatureMap user_features;
   bool between = true;  ///< measure the honest numbers between the data
+};
+
+/// Other knots at the same size, by plain least squares.
+struct Comparison {
+  double error = 0;           ///< the error that counts there; 0: not compared
+  double control_points = 0;  ///< the same knots would need about so many for the error of the result, by the
+                              ///< order of the spline: size * (error / reached)^(2 / (degree + 1))
 };
 
 struct FitResult {
@@ -58,8 +67,12 @@ struct FitResult {
   Index empty_cells = 0;
   double recheck_difference = 0;  ///< largest |rechecked - fitted| error
   BetweenReport between;
-  std::string method;    ///< placement method, or "given"
-  double criterion = 0;  ///< E(U,V), where the method has one
+  std::string method;  ///< placement method, or "given"
+  Effort effort = Effort::balanced;
+  bool least_squares = true;  ///< false: the control points minimise the maximum, or hold fill points too
+  Index fill_points = 0;      ///< places between the data that the search held the surface at
+  Comparison against_uniform, against_error_model;  ///< what optimised knots saved; of "optimal" alone
+  double criterion = 0;                             ///< E(U,V), where the method has one
   std::vector<SizeTried> tried;
   long fits = 0;
   double noise = 0;                ///< estimated from the data; 0: none found

@@ -18,8 +18,7 @@ Attempts::Attempts(const FitProblem& data, const RefineOptions& options, const C
       options_(options),
       control_(control),
       max_fits_(options.max_fits > 0 ? options.max_fits : max_fits),
-      max_control_points_(options.max_control_points > 0 ? options.max_control_points
-                                                         : default_control_points(data)),
+      max_control_points_(own_limit() ? options.max_control_points : default_control_points(data)),
       best_error_(std::numeric_limits<double>::infinity()) {
   count(data);
 }
@@ -31,7 +30,9 @@ long Attempts::fits() const {
 }
 
 bool Attempts::allowed(Index functions_u, Index functions_v) const {
-  return functions_u <= data_.most_functions_u() && functions_v <= data_.most_functions_v() &&
+  // One patch is allowed on fewer grid lines than it has functions, too: the smoothing floor holds it.
+  return functions_u <= std::max<Index>(data_.most_functions_u(), data_.degree_u() + 1) &&
+         functions_v <= std::max<Index>(data_.most_functions_v(), data_.degree_v() + 1) &&
          functions_u * functions_v <= max_control_points_;
 }
 

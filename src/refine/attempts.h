@@ -31,7 +31,10 @@ class Attempts {
   Status interruption() const { return interruption_; }
   void set_stage(std::string_view stage) { stage_ = stage; }
 
-  bool own_limit() const { return options_.max_control_points > 0; }  ///< the caller's, not the default
+  /// The caller's limit counts, not the default; one beyond the number of points limits nothing.
+  bool own_limit() const {
+    return options_.max_control_points > 0 && options_.max_control_points <= data_.points().size();
+  }
   const Tolerance& tolerance() const { return options_.tolerance; }
   /// Within the limit on control points, and what the data's own lines can tell apart.
   bool allowed(Index functions_u, Index functions_v) const;

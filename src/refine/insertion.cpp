@@ -79,17 +79,15 @@ class Insertion {
     const int start_v =
         static_cast<int>(std::min<Index>(start, problem_.most_functions_v() - problem_.degree_v() - 1));
     InteriorKnots knots = by_criterion(geometry, std::max(0, start_u), std::max(0, start_v));
-    while (!knots.u.empty() && !allowed(knots)) {
-      knots.u.pop_back();
-      if (!knots.v.empty()) knots.v.pop_back();
-    }
+    while (!allowed(knots) && !(knots.u.empty() && knots.v.empty()))
+      (knots.u.size() >= knots.v.size() ? knots.u : knots.v).pop_back();
     double error = attempts_.fit(problem_, knots);
     attempts_.list(problem_.axis_u().functions(), problem_.axis_v().functions(), error);
     while (!attempts_.holds(error)) {
       if (attempts_.interrupted()) return attempts_.interruption();
       if (plateau_.add(problem_.control_points(), problem_.rms())) return Status::tolerance_below_noise;
       const std::vector<double> errors = problem_.errors();
-      const FeatureMap f = mixed(geometry, residual_features(problem_.points(), errors, geometry.size_u));
+      const FeatureMap f = mixed(geometry, residual_features(problem_.points(), errors));
       const InteriorKnots inserted = with_isolines(problem_.knots(), f, errors);
       if (inserted == problem_.knots())
         return attempts_.own_limit() ? Status::limit_reached : Status::data_too_sparse;
@@ -130,8 +128,14 @@ class Insertion {
       return sum > 0 ? sum / static_cast<double>(map.f.size()) : 1.0;
     };
     const double g = mean(geometry), r = mean(residual);
-    FeatureMap map = geometry;
-    for (std::size_t c = 0; c < map.f.size(); ++c) map.f[c] = geometry.f[c] / g + residual.f[c] / r;
+    FeatureMap map = residual;
+    for (Index i = 0; i < map.size_u; ++i)
+      for (Index j = 0; j < map.size_v; ++j) {  // a user's map may have cells of its own
+        const Index gi = (2 * i + 1) * geometry.size_u / (2 * map.size_u);
+        const Index gj = (2 * j + 1) * geometry.size_v / (2 * map.size_v);
+        double& f = map.f[i * map.size_v + j];
+        f = geometry.f[gi * geometry.size_v + gj] / g + f / r;
+      }
     return map;
   }
 

@@ -228,7 +228,10 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   const Status unmet = search_sizes(data, fine, solver, attempts, plateau);
   RefineResult result = attempts.finish(unmet);
   result.metric = fine.knots;
-  if (guard) result.fill_points = guard->fill_count();
+  if (guard) {
+    result.fill_points = guard->fill_count();
+    result.least_squares = false;  // not of the data alone
+  }
   return result;
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "knotfit/errors.h"
 #include "place/context.h"
@@ -42,6 +44,11 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
     throw InvalidInput(fmt::format("the tolerance is {}: it must be positive and finite", t.value));
   if (t.measure == ErrorMeasure::percentile && !(t.share > 0 && t.share < 1))
     throw InvalidInput(fmt::format("a percentile of {} %: it must lie between 0 and 100 %", 100 * t.share));
+  double largest = 0;
+  for (double x : points.values) largest = std::max(largest, std::abs(x));
+  if (t.value < largest * std::numeric_limits<double>::epsilon() / 2)
+    throw InvalidInput(
+        fmt::format("the tolerance {} is below the rounding of values as large as {}", t.value, largest));
   if (options.max_fits < 0) throw InvalidInput("the number of fits allowed is negative");
   const Index minimum = Index{options.degree_u + 1} * (options.degree_v + 1);
   if (options.max_control_points != 0 && options.max_control_points < minimum)

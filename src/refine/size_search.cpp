@@ -54,10 +54,11 @@ class SizeSearch {
     double s = 4, failed = 0;
     Spans last{};
     for (;;) {
-      if (attempts_.interrupted()) return attempts_.interruption();
+      // One size is always solved, so that there is a best one to return.
+      if (failed > 0 && attempts_.interrupted()) return attempts_.interruption();
       Spans now = spans(s);
-      bool ends = false;
-      if (!allowed(now)) {  // the largest size below the limit ends it
+      bool ends = now == spans(1e9);  // all that the grid lines can tell apart
+      if (!allowed(now)) {            // the largest size below the limit ends it
         double low = failed, high = s;
         for (int i = 0; i < 40; ++i) {
           const double middle = (low + high) / 2;

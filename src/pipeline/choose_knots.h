@@ -1,0 +1,29 @@
+// Knots given, placed at a fixed size, or searched to a tolerance.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "knotfit/fit_surface.h"
+namespace knotfit {
+
+/// Works in the frame.
+struct Chosen {
+  InteriorKnots knots, metric;
+  Status status = Status::fixed_size;
+  double criterion = 0;
+  std::vector<SizeTried> tried;
+  long fits = 0;
+  std::string method;
+  std::optional<Surface> surface;  ///< where the control points are not the least squares' of the knots
+  Index fill_points = 0;
+  std::vector<std::string> notes;
+};
+
+/// \param inside     points in the frame
+/// \param tolerance  in the frame; value 0: none
+/// \param noise      standard deviation found in the data, in the frame
+Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
+                    double noise, const Control& control);
+
+}  // namespace knotfit
