@@ -360,8 +360,9 @@ class BadInput(ToolTest):
 
     def test_every_bad_file_is_refused_with_its_line_and_no_output(self):
         there = {path.name for path in BAD.iterdir() if path.name.startswith("bad_")}
-        self.assertEqual(there, set(self.CASES))
-        for name, words in self.CASES.items():
+        self.assertLessEqual(set(self.CASES), there)
+        for name in sorted(there):
+            words = self.CASES.get(name, [name])
             with self.subTest(file=name):
                 self.refused("fit", BAD / name, "--tol", "0.1%", "-o", "out.json", "-o", "out.png", words=words)
                 self.assertEqual(self.files(), [])
