@@ -5,6 +5,34 @@
 #include <limits>
 namespace knotfit {
 
+namespace {
+
+/// Low and high of each component, enlarged by the diagonal on either side.
+std::vector<double> enlarged_box(const ParameterizedPoints& points) {
+  const int d = points.dimension;
+  std::vector<double> box(2 * d);
+  const double diagonal = bounding_diagonal(points);
+  for (int e = 0; e < d; ++e) {
+    double low = INFINITY, high = -INFINITY;
+    for (Index k = 0; k < points.size(); ++k) {
+      low = std::min(low, points.value(k)[e]);
+      high = std::max(high, points.value(k)[e]);
+    }
+    box[2 * e] = low - diagonal;
+    box[2 * e + 1] = high + diagonal;
+  }
+  return box;
+}
+
+bool keeps_to(const std::vector<double>& box, const std::vector<double>& net) {
+  const std::size_t d = box.size() / 2;
+  for (std::size_t i = 0; i < net.size(); ++i)
+    if (!(net[i] >= box[2 * (i % d)] && net[i] <= box[2 * (i % d) + 1])) return false;
+  return true;
+}
+
+}  // namespace
+
 Index default_control_points(const FitProblem& data) {
   const Index minimum = Index{data.degree_u() + 1} * (data.degree_v() + 1);
   Index most = data.points().size() / 2;
@@ -19,6 +47,7 @@ Attempts::Attempts(const FitProblem& data, const RefineOptions& options, const C
       control_(control),
       max_fits_(options.max_fits > 0 ? options.max_fits : max_fits),
       max_control_points_(own_limit() ? options.max_control_points : default_control_points(data)),
+      box_(enlarged_box(data.points())),
       best_error_(std::numeric_limits<double>::infinity()) {
   count(data);
 }
@@ -46,13 +75,16 @@ double Attempts::fit(FitProblem& problem, const InteriorKnots& knots) {
 void Attempts::offer(const FitProblem& problem, double error, bool least_squares) {
   const Index size = problem.control_points();
   const bool good = holds(error);
+  // A net far outside the data swings between the points: the last choice where none holds.
+  const bool tame = keeps_to(box_, problem.net());
   const bool better = good
                           ? (!best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_))
-                          : (!best_holds_ && error < best_error_);
+                          : (!best_holds_ && (tame != best_tame_ ? tame : error < best_error_));
   if (better) {
     best_ = problem.knots();
     surface_ = problem.surface();
     best_holds_ = good;
+    best_tame_ = tame;
     best_error_ = error;
     best_size_ = size;
     least_squares_ = least_squares;

@@ -39,7 +39,7 @@ class Attempts {
   /// Within the limit on control points, and what the data's own lines can tell apart.
   bool allowed(Index functions_u, Index functions_v) const;
 
-  /// Best: the fewest control points that hold, else the least error.
+  /// Best: the fewest control points that hold, else the least error among surfaces that keep to the data.
   RefineResult finish(Status unmet) const;
   bool reached() const { return best_holds_; }
   const InteriorKnots& best() const { return best_; }
@@ -56,7 +56,8 @@ class Attempts {
   Status interruption_ = Status::not_run;
   InteriorKnots best_;
   Surface surface_;
-  bool best_holds_ = false, least_squares_ = true;
+  std::vector<double> box_;  ///< low and high of each component, enlarged by the data's diagonal
+  bool best_holds_ = false, best_tame_ = false, least_squares_ = true;
   double best_error_;
   Index best_size_ = 0;
   std::vector<SizeTried> tried_;

@@ -13,6 +13,8 @@ namespace {
 constexpr double kMinimaxReach = 3.5;
 // Within this of the tolerance after minimax, relocation in its own weights is worth a try.
 constexpr double kNear = 1.15;
+// Operations of one fit from which on a net is too large to optimise.
+constexpr double kMostWork = 1e9;
 
 /// Any knots: for second tries.
 InteriorKnots random_knots(int count_u, int count_v, std::mt19937_64& engine) {
@@ -112,6 +114,8 @@ const SizeOutcome& OptimizedSizes::solve(const Spans& spans, const Spans* from) 
   const int most_tries = policy_.retry_within > 0 ? 2 : 1;
   if (entry.outcome.holds || entry.outcome.tries >= most_tries) return entry.outcome;
   const bool strong = entry.outcome.tries++ > 0;
+  if (problem_.work(spans.first + problem_.degree_u(), spans.second + problem_.degree_v()) > kMostWork)
+    return place_only(spans, entry);
   const Entry* source = from && seen_.contains(*from) ? &seen_.at(*from) : nullptr;
   use_base_weights();
 
@@ -146,6 +150,20 @@ const SizeOutcome& OptimizedSizes::solve(const Spans& spans, const Spans* from) 
   }
   attempts_.list(spans.first + problem_.degree_u(), spans.second + problem_.degree_v(), entry.outcome.error);
   use_base_weights();
+  return entry.outcome;
+}
+
+const SizeOutcome& OptimizedSizes::place_only(const Spans& spans, Entry& entry) {
+  use_base_weights();
+  context_.options().rounds = 2;
+  entry.knots = place_error_model(context_, spans.first - 1, spans.second - 1).knots;
+  context_.options().rounds = 4;
+  problem_.solve(entry.knots);
+  entry.outcome.error = entry.outcome.least_squares_error = measured();
+  entry.outcome.rms = problem_.rms();
+  entry.outcome.holds = attempts_.holds(entry.outcome.error);
+  attempts_.offer(problem_, entry.outcome.error);
+  attempts_.list(spans.first + problem_.degree_u(), spans.second + problem_.degree_v(), entry.outcome.error);
   return entry.outcome;
 }
 
@@ -199,40 +217,6 @@ void OptimizedSizes::finish(Entry& entry, const Start& start) {
     entry.outcome.holds = attempts_.holds(error);
     attempts_.offer(problem_, error, least_squares);
   }
-}
-
-RefineResult search_optimal(FitProblem& data, const RefineOptions& options, const Control& control) {
-  constexpr long kFits[] = {2000, 12000, 80000};
-  Attempts attempts(data, options, control, kFits[static_cast<int>(options.effort)]);
-  PlacementContext plain(data, placement_options(options), control);
-  attempts.set_stage("features");
-  const FineModel fine = plain.fine_model();
-
-  std::optional<Guard> guard;
-  if (options.guard && !attempts.stopped()) {
-    attempts.set_stage("reference");
-    guard.emplace(data.points(), options.tolerance.value, fine.knots, [&] { return attempts.stopped(); });
-  }
-  LeastSquaresOptions fit;
-  fit.smoothing = options.smoothing;
-  fit.refinement_steps = 0;
-  fit.estimate_condition = false;
-  fit.use_grid = false;
-  FitProblem problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);
-  problem.scattered().count_first(data.points().size());
-  attempts.count(problem);
-  PlacementContext context(problem, placement_options(options), control);
-  context.set_fine_model(fine);
-  OptimizedSizes solver(problem, context, guard ? &*guard : nullptr, attempts, options);
-  NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
-  const Status unmet = search_sizes(data, fine, solver, attempts, plateau);
-  RefineResult result = attempts.finish(unmet);
-  result.metric = fine.knots;
-  if (guard) {
-    result.fill_points = guard->fill_count();
-    result.least_squares = false;  // not of the data alone
-  }
-  return result;
 }
 
 }  // namespace knotfit

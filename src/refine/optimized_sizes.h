@@ -31,6 +31,8 @@ class OptimizedSizes final : public SizeSolver {
   };
 
   std::vector<InteriorKnots> starts(const Spans& spans, const Entry* from, bool strong, const Entry& entry);
+  /// Nets too large to optimise: the error model's knots, least squares.
+  const SizeOutcome& place_only(const Spans& spans, Entry& entry);
   /// From a least-squares optimum: the tolerance by minimax, honest by exchange. Offers what it finds.
   void finish(Entry& entry, const Start& start);
   double measured() const;

@@ -1,0 +1,79 @@
+// The size search with knots that minimise the error [METHOD 4], where that can pay.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "fit/scattered.h"
+#include "refine/optimized_sizes.h"
+#include "refine/worth.h"
+namespace knotfit {
+namespace {
+
+constexpr long kFits[] = {2000, 12000, 80000};  // fast, balanced, best
+constexpr double kWork[] = {1e11, 4e11, 4e12};  // operations a search may take
+constexpr double kLeastSaving = 0.1;            // below it, optimising is not worth its time
+constexpr double kFitsToOptimise = 2000;        // of the last sizes, for the estimate of the work
+
+/// Knots of the error model instead, with the reason.
+RefineResult search_placed_instead(FitProblem& data, RefineOptions options, const Control& control,
+                                   const std::string& reason) {
+  options.method = "error-model";
+  RefineResult result = search_placed(data, options, control);
+  result.notes.push_back(reason + "; the knots come from the error model");
+  return result;
+}
+
+}  // namespace
+
+RefineResult search_optimal(FitProblem& data, const RefineOptions& options, const Control& control) {
+  const int effort = static_cast<int>(options.effort);
+  Attempts attempts(data, options, control, kFits[effort]);
+  PlacementContext plain(data, placement_options(options), control);
+  attempts.set_stage("features");
+  const FineModel fine = plain.fine_model();
+  const KnotWorth worth = estimate_worth(data, fine, options.tolerance);
+  const double side = std::sqrt(worth.control_points);
+  const double work =
+      kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
+                         9 * side * side * side * side);
+  if (worth.saving < kLeastSaving && options.effort != Effort::best)
+    return search_placed_instead(
+        data, options, control,
+        fmt::format("optimised knots would save about {:.0f} % of the control points", 100 * worth.saving));
+  if (work > kWork[effort])
+    return search_placed_instead(
+        data, options, control,
+        fmt::format(
+            "about {:.2g} control points are too many to optimise their knots at this effort (they would "
+            "save about {:.0f} % against uniform ones)",
+            worth.control_points, 100 * worth.saving));
+
+  std::optional<Guard> guard;
+  if (options.guard && !attempts.stopped()) {
+    attempts.set_stage("reference");
+    guard.emplace(data.points(), options.tolerance.value, fine.knots, [&] { return attempts.stopped(); });
+  }
+  LeastSquaresOptions fit;
+  fit.smoothing = options.smoothing;
+  fit.refinement_steps = 0;
+  fit.estimate_condition = false;
+  fit.use_grid = false;
+  FitProblem problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);
+  problem.scattered().count_first(data.points().size());
+  attempts.count(problem);
+  PlacementContext context(problem, placement_options(options), control);
+  context.set_fine_model(fine);
+  OptimizedSizes solver(problem, context, guard ? &*guard : nullptr, attempts, options);
+  NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
+  const Status unmet = search_sizes(data, fine, solver, attempts, plateau);
+  RefineResult result = attempts.finish(unmet);
+  result.metric = fine.knots;
+  if (guard) {
+    result.fill_points = guard->fill_count();
+    result.least_squares = false;  // not of the data alone
+  }
+  return result;
+}
+
+}  // namespace knotfit
