@@ -41,6 +41,12 @@ void MeshBuilder::add_vertex(const double* xyz, Index line) {
   if (line > 0) mesh_.vertex_line.push_back(line);
 }
 
+void MeshBuilder::check_corners(Index count, Index vertices, Index line) const {
+  if (count > vertices)
+    fail(line, fmt::format("face {} (counted from {}) has {} corners, but there are {} vertices",
+                           faces_ + mesh_.counted_from, mesh_.counted_from, count, vertices));
+}
+
 void MeshBuilder::add_face(std::span<const std::int32_t> corners, Index line) {
   if (corners.size() < 3)
     fail(line, fmt::format("face {} (counted from {}) has {} corner{}; a face has three or more",

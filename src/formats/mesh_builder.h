@@ -20,6 +20,8 @@ class MeshBuilder {
   /// \param line  in the file, from 1; 0: binary
   /// \throws FileError  not finite
   void add_vertex(const double* xyz, Index line);
+  /// \throws FileError  the face about to be added has more corners than the file vertices
+  void check_corners(Index count, Index vertices, Index line) const;
   /// \param corners  counted from 0
   /// \throws FileError  fewer than three
   void add_face(std::span<const std::int32_t> corners, Index line);

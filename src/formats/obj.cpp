@@ -139,6 +139,7 @@ class ObjReader {
         builder_.set_corner_parameters(corners.back(), uv_[2 * static_cast<std::size_t>(t)],
                                        uv_[2 * static_cast<std::size_t>(t) + 1]);
       }
+      builder_.check_corners(static_cast<Index>(corners.size()), vertices_, line.number);
       builder_.add_face(corners, line.number);
     }
   }

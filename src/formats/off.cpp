@@ -127,6 +127,7 @@ class OffReader {
     if (n < 0) fail(line, fmt::format("the face's number of corners is {}", in_quotes(token)));
     if (2 * n > static_cast<Index>(line.text.size()))
       fail(line, fmt::format("the face has too few numbers for {} corners", n));
+    builder_.check_corners(n, vertices_, line.number);
     corners_.clear();
     for (Index i = 0; i < n; ++i)
       corners_.push_back(builder_.corner(numbers.number(), vertices_, line.number));

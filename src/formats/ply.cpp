@@ -156,6 +156,7 @@ class PlyReader {
       for (auto p = properties.begin(); p != properties.end(); ++p) {
         if (p == corners) {
           const Index count = rows_->next_count(*p);
+          builder_.check_corners(count, vertex_->count, rows_->line());
           face.clear();
           for (Index k = 0; k < count; ++k)
             face.push_back(builder_.corner(rows_->next(p->type), vertex_->count, rows_->line()));

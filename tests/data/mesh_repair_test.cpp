@@ -214,7 +214,9 @@ TEST(MeshRepair, AnySoupOfFacesComesThrough) {
                                              .drop_degenerate = random.integer(0, 2) > 0});
       inspect(out.mesh);
       expect_same_places(mesh, out);
-      if (inspect(out.mesh).degenerate_face < 0) EXPECT_EQ(inspect(out.mesh).unused_vertices, 0);
+      if (inspect(out.mesh).degenerate_face < 0) {
+        EXPECT_EQ(inspect(out.mesh).unused_vertices, 0);
+      }
       EXPECT_EQ(out.mesh.face_source.empty() || out.mesh.face_source.size() == out.mesh.faces.size(), true);
     } catch (const InvalidInput&) {
     }

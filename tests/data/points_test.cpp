@@ -109,7 +109,17 @@ TEST(Points, DiagonalInSpaceIsThatOfTheBox) {
   points.dimension = 3;
   points.uv = {0, 0, 1, 1};
   points.values = {1, 1, 1, 3, 4, 7};
-  EXPECT_EQ(bounding_diagonal(points), 7);  // sqrt(2^2 + 3^2 + 6^2)
+  EXPECT_NEAR(bounding_diagonal(points), 7, 16 * kEps);  // sqrt(2^2 + 3^2 + 6^2)
+}
+
+TEST(Points, DiagonalOfHugeAndTinyBoxesIsFinite) {
+  for (double scale : {1e300, 1e-300}) {
+    ParameterizedPoints points;
+    points.dimension = 2;
+    points.uv = {0, 0, 1, 1};
+    points.values = {0, 0, 3 * scale, 4 * scale};
+    EXPECT_NEAR(bounding_diagonal(points) / scale, 5, 16 * kEps);
+  }
 }
 
 TEST(Points, DiagonalOfOnePointOrNoneIsZero) {

@@ -1,30 +1,7 @@
 // Damaged files: an error or a right result, and never more memory than the file's size allows.
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "allocation_watch.h"
 #include "support.h"
 #include "support/random_splines.h"
-
-namespace {
-std::atomic<std::size_t> largest_request{0};
-}
-
-// Every allocation of this program passes here, so that a reader that believes a header shows up.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  std::size_t seen = largest_request.load();
-  while (size > seen && !largest_request.compare_exchange_weak(seen, size)) {
-  }
-  if (void* p = std::malloc(size > 0 ? size : 1)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
-
 namespace knotfit::test {
 namespace {
 

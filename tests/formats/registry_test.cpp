@@ -11,7 +11,8 @@ TEST(Registry, ListsEveryFormatOnce) {
     EXPECT_FALSE(info.summary.empty());
     EXPECT_TRUE(info.reads || info.writes);
   }
-  for (const char* name : {"esri-ascii", "csv", "rows", "npy", "npy-grid", "knotfit-json"})
+  for (const char* name :
+       {"esri-ascii", "csv", "rows", "npy", "npy-grid", "ply", "obj", "off", "stl", "vtk", "knotfit-json"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
@@ -31,6 +32,12 @@ TEST(Registry, ThenTheContent) {
   EXPECT_EQ(read("a", kGrid).format, "esri-ascii");
   EXPECT_EQ(read("a.txt", kGrid).format, "esri-ascii");
   EXPECT_EQ(read("a.bin", doubles("1, 3", {1, 2, 3})).format, "npy");
+  EXPECT_EQ(read("a", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").format, "off");
+  EXPECT_EQ(read("a",
+                 "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
+                 "end_header\n1 2 3\n")
+                .format,
+            "ply");
 }
 
 TEST(Registry, ANameWins) {
@@ -40,7 +47,7 @@ TEST(Registry, ANameWins) {
   EXPECT_EQ(read("a.ply", "1 2 3\n", options).format, "csv");
   options.format = "esri-ascii";
   EXPECT_EQ(read("a.ply", kGrid, options).format, "esri-ascii");
-  for (const char* name : {"obj", "knotfit-json"}) {
+  for (const char* name : {"step", "vtk", "knotfit-json"}) {
     options.format = name;
     expect_throw<InvalidInput>([&] { read("a.asc", kGrid, options); }, "unknown input format");
   }
@@ -51,7 +58,7 @@ TEST(Registry, NamesTheFormatsThereAre) {
        {"unknown extension .foo", "esri-ascii (.asc .grd)", "csv (.csv .tsv .txt .xyz .dat)", "npy (.npy)"})
     refuses("a.foo", "1 2 3\n", words);
   refuses("points", "1 2 3\n", "a name without an extension does not tell the format");
-  for (const char* extension : {".tif", ".ply", ".OBJ", ".off", ".stl", ".las"})
+  for (const char* extension : {".tif", ".LAS", ".vtp"})
     refuses(std::string("a") + extension, "x",
             "files are not supported by this version; it reads esri-ascii");
   refuses("a.json", "{}", "holds a knotfit surface, not points");
@@ -67,8 +74,8 @@ TEST(Registry, FilesThatCannotBeRead) {
   expect_throw<FileError>([&] { read_data(""); }, "no file name given");
   std::ofstream(folder.file("empty.csv")).flush();
   expect_throw<FileError>([&] { read_data(folder.file("empty.csv")); }, "the file is empty");
-  std::ofstream(folder.file("mesh.ply")) << "ply";
-  expect_throw<FileError>([&] { read_data(folder.file("mesh.ply")); }, ".ply files are not supported");
+  std::ofstream(folder.file("cloud.las")) << "LASF";
+  expect_throw<FileError>([&] { read_data(folder.file("cloud.las")); }, ".las files are not supported");
   std::ofstream(folder.file("good.csv")) << "1,2,3\n";
   EXPECT_EQ(std::get<PointTable>(read_data(folder.file("good.csv")).content).size(), 1);
 }

@@ -1,0 +1,194 @@
+// Damaged meshes: an error or a right result, and never more memory than the file's size allows.
+#include "allocation_watch.h"
+#include "knotfit/mesh_io.h"
+#include "support.h"
+#include "support/random_splines.h"
+namespace knotfit::test {
+namespace {
+
+struct Sample {
+  std::string name, bytes;
+};
+
+std::vector<Sample> samples() {
+  Mesh m;
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i) {
+      m.vertices.insert(m.vertices.end(), {i * 0.25, j * 0.25, std::sin(i + j)});
+      m.uv.insert(m.uv.end(), {i * 0.25, j * 0.25});
+    }
+  for (std::int32_t j = 0; j < 4; ++j)
+    for (std::int32_t i = 0; i < 4; ++i) {
+      const std::int32_t a = 5 * j + i;
+      m.faces.push_back({a, a + 1, a + 6});
+      m.faces.push_back({a, a + 6, a + 5});
+    }
+  std::ostringstream ply, obj;
+  write_ply(ply, m);
+  write_obj(obj, m);
+  std::string
+      text =
+          "ply\nformat ascii 1.0\nelement vertex 25\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 16\nproperty list uchar int vertex_indices\nend_header\n",
+      off = "OFF\n25 16 0\n", stl = "solid a\n", faces, binary(80, 'b');
+  std::string big =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 25\nproperty short z\nproperty uchar x\n"
+      "property float y\nelement face 16\nproperty uchar kind\nproperty list uchar uchar vertex_indices\n"
+      "end_header\n";
+  for (Index k = 0; k < 25; ++k) {
+    const double* p = m.vertex(k);
+    const std::string line =
+        std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+    text += line;
+    off += line;
+    big += items<std::int16_t>({p[2] * 100}, true) + items<std::uint8_t>({p[0] * 4}) +
+           items<float>({p[1]}, true);
+  }
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const int a = 5 * j + i;
+      faces += "4 " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(a + 6) + " " +
+               std::to_string(a + 5) + "\n";
+      big += items<std::uint8_t>({7, 4, a * 1.0, a + 1.0, a + 6.0, a + 5.0});
+    }
+  binary += items<std::uint32_t>({static_cast<double>(m.faces.size())});
+  for (const auto& c : m.faces) {
+    stl += "facet normal 0 0 0\nouter loop\n";
+    binary += items<float>({0, 0, 1});
+    for (const std::int32_t v : c) {
+      const double* p = m.vertex(v);
+      stl +=
+          "vertex " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+      binary += items<float>({p[0], p[1], p[2]});
+    }
+    stl += "endloop\nendfacet\n";
+    binary += std::string(2, '\0');
+  }
+  return {{"a.ply", ply.str()},
+          {"a.obj", obj.str()},
+          {"text.ply", text + faces},
+          {"a.off", off + faces},
+          {"a.stl", stl + "endsolid a\n"},
+          {"binary.stl", binary},
+          {"big.ply", big}};
+}
+
+void expect_sound(const SourceData& data) {
+  const auto* m = std::get_if<Mesh>(&data.content);
+  if (m == nullptr) {
+    const PointTable& t = std::get<PointTable>(data.content);
+    EXPECT_GT(t.size(), 0);
+    EXPECT_TRUE(t.x.size() == t.z.size() && t.y.size() == t.z.size() && t.u.size() == t.v.size());
+    for (const auto* column : {&t.x, &t.y, &t.z, &t.u, &t.v})
+      for (const double value : *column) EXPECT_TRUE(std::isfinite(value));
+    return;
+  }
+  const std::size_t n = m->vertices.size() / 3;
+  EXPECT_GT(m->face_count(), 0);
+  EXPECT_TRUE(m->uv.empty() || m->uv.size() == 2 * n);
+  EXPECT_TRUE(m->vertex_line.empty() || m->vertex_line.size() == n);
+  EXPECT_TRUE(m->face_line.empty() || m->face_line.size() == m->faces.size());
+  EXPECT_TRUE(m->face_source.empty() || m->face_source.size() == m->faces.size());
+  for (const double value : m->uv) EXPECT_TRUE(std::isfinite(value));
+  inspect(*m);  // refuses coordinates that are not finite and corners that are no vertices
+  try {
+    require_disk(
+        repair(*m, {.largest_part = true, .fill_holes = true, .orient = true, .drop_degenerate = true}).mesh);
+  } catch (const InvalidInput&) {
+  }
+}
+
+/// \return whether it was read
+bool try_reading(const std::string& name, const std::string& bytes) {
+  largest_request = 0;
+  std::size_t peak = 0;
+  bool good = true;
+  try {
+    const PeakMemory memory;
+    const SourceData data = read(name, bytes);
+    peak = memory.bytes();
+    const std::size_t largest = largest_request.load();
+    expect_sound(data);
+    largest_request = largest;
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()).find(name), 0U) << error.what();
+    EXPECT_LT(std::string(error.what()).size(), 1000U);
+    good = false;
+  }
+  // A byte is a corner at most (uchar lists), which is a triangle of 12 bytes, its face and a vector's growth.
+  EXPECT_LE(largest_request.load(), 24 * bytes.size() + 8192) << name;
+  EXPECT_LE(peak, 64 * bytes.size() + 65536) << name;
+  return good;
+}
+
+TEST(DamagedMeshes, TheSamplesThemselvesAreSound) {
+  for (const Sample& s : samples()) EXPECT_TRUE(try_reading(s.name, s.bytes)) << s.name;
+}
+
+TEST(DamagedMeshes, TruncatedAnywhere) {
+  for (const Sample& s : samples())
+    for (std::size_t size = 0; size < s.bytes.size(); ++size) {
+      const bool good = try_reading(s.name, s.bytes.substr(0, size));
+      // What says its own size may not end early; a text's last line may lack its end, or a digit.
+      if (s.name != "a.obj" && size + 8 < s.bytes.size()) {
+        EXPECT_FALSE(good) << s.name << " cut at " << size;
+      }
+    }
+}
+
+TEST(DamagedMeshes, FilesTruncatedAtEvery64thByte) {
+  std::vector<std::pair<std::string, std::string>> files;
+  files.emplace_back("mask.obj", bytes_of(test_data("mask.obj")));
+  for (const auto& entry : std::filesystem::directory_iterator(test_data("bad")))
+    for (const char* extension : {".ply", ".obj", ".off", ".stl"})
+      if (entry.path().extension() == extension)
+        files.emplace_back(entry.path().filename(), bytes_of(entry.path()));
+  EXPECT_GT(files.size(), 10U);
+  for (const auto& [name, bytes] : files)
+    for (std::size_t size = 0; size < bytes.size(); size += 64) try_reading(name, bytes.substr(0, size));
+}
+
+TEST(DamagedMeshes, TenThousandRandomChangesOfEach) {
+  Random random;
+  for (const Sample& s : samples()) {
+    int good = 0;
+    for (int k = 0; k < 10000; ++k) {
+      std::string bytes = s.bytes;
+      for (int change = random.integer(1, 4); change > 0 && !bytes.empty(); --change) {
+        const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
+        switch (random.integer(0, 3)) {
+          case 0:
+            bytes[at] = static_cast<char>(random.integer(0, 255));
+            break;
+          case 1:
+            bytes[at] = "0123456789eE+-. \n/#\\\tvfxyzlstOF"[random.integer(0, 30)];
+            break;
+          case 2:
+            bytes.erase(at, static_cast<std::size_t>(random.integer(1, 9)));
+            break;
+          default:
+            bytes.insert(at, bytes.substr(at / 2, static_cast<std::size_t>(random.integer(1, 9))));
+        }
+      }
+      good += try_reading(s.name, bytes);
+      if (HasFatalFailure() || HasNonfatalFailure()) FAIL() << s.name << ":\n" << bytes;
+    }
+    EXPECT_GT(good, 0) << s.name;
+    EXPECT_LT(good, 10000) << s.name;
+  }
+}
+
+TEST(DamagedMeshes, AFaceOfMoreCornersThanVerticesTakesNoMemory) {
+  const std::size_t corners = 4'000'000;
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\n"
+      "property uchar z\nelement face 1\nproperty list uint uchar vertex_indices\nend_header\n" +
+      std::string(9, '\1') + items<std::uint32_t>({static_cast<double>(corners)}) +
+      std::string(corners, '\1');
+  const PeakMemory memory;
+  refuses("a.ply", bytes, "face 0 (counted from 0) has 4000000 corners, but there are 3 vertices");
+  EXPECT_LE(memory.bytes(), 2 * bytes.size());
+}
+
+}  // namespace
+}  // namespace knotfit::test
