@@ -45,16 +45,16 @@ void validate(const ParameterizedPoints& points) {
 }
 
 double bounding_diagonal(const ParameterizedPoints& points) {
-  double sum = 0;
+  double diagonal = 0;
   for (int d = 0; d < points.dimension; ++d) {
     double low = INFINITY, high = -INFINITY;
     for (Index k = 0; k < points.size(); ++k) {
       low = std::min(low, points.value(k)[d]);
       high = std::max(high, points.value(k)[d]);
     }
-    sum += (high - low) * (high - low);
+    diagonal = std::hypot(diagonal, high - low);  // no square of a huge or tiny range
   }
-  return points.size() > 0 ? std::sqrt(sum) : 0;
+  return points.size() > 0 ? diagonal : 0;
 }
 
 GridLayout find_grid(const ParameterizedPoints& points) {

@@ -14,7 +14,10 @@ namespace {
 /// Rank by the two largest spreads: the far point from the first, then the far point from that line.
 void check_extent(const ParameterizedPoints& points) {
   const int d = points.dimension;
-  const double rounding = Frame(points).rounding();
+  if (d == 1) return;
+  // In the frame's unit, where no square overflows or vanishes.
+  const Frame frame(points);
+  const double unit = frame.scale(), rounding = frame.rounding() / unit;
   auto farthest = [&](auto&& distance) {
     double most = 0;
     Index at = 0;
@@ -28,18 +31,17 @@ void check_extent(const ParameterizedPoints& points) {
   const double* origin = points.value(0);
   const auto [length, far] = farthest([&](const double* p) {
     double sum = 0;
-    for (int e = 0; e < d; ++e) sum += (p[e] - origin[e]) * (p[e] - origin[e]);
+    for (int e = 0; e < d; ++e) sum += (p[e] - origin[e]) / unit * ((p[e] - origin[e]) / unit);
     return std::sqrt(sum);
   });
-  if (d == 1) return;
   if (!(length > 4 * rounding)) throw InvalidInput("all points are equal: there is no surface to fit");
   std::vector<double> direction(d);
-  for (int e = 0; e < d; ++e) direction[e] = (points.value(far)[e] - origin[e]) / length;
+  for (int e = 0; e < d; ++e) direction[e] = (points.value(far)[e] - origin[e]) / unit / length;
   const double off = farthest([&](const double* p) {
                        double along = 0, sum = 0;
-                       for (int e = 0; e < d; ++e) along += (p[e] - origin[e]) * direction[e];
+                       for (int e = 0; e < d; ++e) along += (p[e] - origin[e]) / unit * direction[e];
                        for (int e = 0; e < d; ++e) {
-                         const double x = p[e] - origin[e] - along * direction[e];
+                         const double x = (p[e] - origin[e]) / unit - along * direction[e];
                          sum += x * x;
                        }
                        return std::sqrt(sum);
@@ -51,15 +53,26 @@ void check_extent(const ParameterizedPoints& points) {
 /// Parameters must spread over both directions, or a whole family of surfaces fits alike.
 void check_parameters(const ParameterizedPoints& points) {
   double low[2] = {1, 1}, high[2] = {0, 0};
-  for (Index k = 0; k < points.size(); ++k)
+  Index first = 0, last = 0;  // ends along u
+  for (Index k = 0; k < points.size(); ++k) {
+    if (points.u(k) < points.u(first)) first = k;
+    if (points.u(k) > points.u(last)) last = k;
     for (int axis : {0, 1}) {
       low[axis] = std::min(low[axis], points.uv[2 * k + axis]);
       high[axis] = std::max(high[axis], points.uv[2 * k + axis]);
     }
+  }
   for (int axis : {0, 1})
     if (!(high[axis] > low[axis]))
       throw InvalidInput(fmt::format("all points have the same parameter {} = {}: there is no surface to fit",
                                      axis == 0 ? "u" : "v", low[axis]));
+  const double du = points.u(last) - points.u(first), dv = points.v(last) - points.v(first);
+  for (Index k = 0; k < points.size(); ++k)
+    if (std::abs((points.u(k) - points.u(first)) * dv - (points.v(k) - points.v(first)) * du) >
+        1e-14 * std::hypot(du, dv))
+      return;
+  throw InvalidInput(
+      "the parameters (u, v) of all points lie on one straight line: there is no surface to fit");
 }
 
 void check_size(const ParameterizedPoints& points, const FitOptions& o) {
