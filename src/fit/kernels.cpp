@@ -1,11 +1,12 @@
 #include "fit/kernels.h"
 
+#include <algorithm>
 #include <array>
 
 // The vector width never shows in a result: products and sums stay separate (-ffp-contract=off) and
 // no loop over points is reordered.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(KNOTFIT_SANITIZED)
-#define KNOTFIT_CLONES __attribute__((target_clones("avx2", "default")))
+#define KNOTFIT_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define KNOTFIT_CLONES
 #endif
@@ -14,6 +15,7 @@ namespace knotfit {
 namespace {
 
 constexpr int kMostMoments = 2 * kMaxDegree + 2, kPadded = 20;
+constexpr int kLanes = 8;  // points taken at once, side by side in vector registers
 
 /// Counts of one pair of degrees; a static one lets the loops unroll.
 template <int degree>
@@ -25,47 +27,87 @@ struct DynamicCounts {
   DynamicCounts(int o, int i) : qo(2 * o + 1), qi(2 * i + 1), wo(o + 1), wi(i + 1), stride(padded(qi)) {}
 };
 
+/// The Legendre values of kLanes points: value a of lane k at [a][k].
+using Lanes = double[kMostMoments][kLanes];
+[[gnu::always_inline]] inline void legendre_lanes(const double* t, int count, Lanes& p) {
+  for (int k = 0; k < kLanes; ++k) p[0][k] = 1;
+  for (int k = 0; k < kLanes; ++k) p[1][k] = t[k];
+  for (int a = 2; a < count; ++a)
+    for (int k = 0; k < kLanes; ++k)
+      p[a][k] = kLegendre.alpha[a] * t[k] * p[a - 1][k] - kLegendre.beta[a] * p[a - 2][k];
+}
+
+/// Local coordinates of the points from `begin`, the last repeated past the piece's end.
+/// \return how many are the piece's
+[[gnu::always_inline]] inline int load_lanes(const CellOrder& order, Index begin, Index end, double* t,
+                                             double* s) {
+  const int count = static_cast<int>(std::min<Index>(kLanes, end - begin));
+  for (int k = 0; k < kLanes; ++k) {
+    t[k] = order.outer(begin + std::min(k, count - 1));
+    s[k] = order.inner(begin + std::min(k, count - 1));
+  }
+  return count;
+}
+
+/// Adds x_k P_a(t_k) Q_b(s_k) of the lanes to sums[a * stride + b], a point after the other; a lane
+/// without a point has x = 0 and adds nothing.
+[[gnu::always_inline]] inline void add_products(const double* x, const Lanes& p,
+                                                const double (&q)[kLanes][kPadded], int rows, int stride,
+                                                double* sums) {
+  for (int a = 0; a < rows; ++a) {
+    double row[kPadded];
+    for (int b = 0; b < stride; ++b) row[b] = sums[a * stride + b];
+    for (int k = 0; k < kLanes; ++k) {
+      const double xp = x[k] * p[a][k];
+      for (int b = 0; b < stride; ++b) row[b] += xp * q[k][b];
+    }
+    for (int b = 0; b < stride; ++b) sums[a * stride + b] = row[b];
+  }
+}
+
+/// A point a row: value b of lane k at [k][b], zero from `count` to kPadded.
+[[gnu::always_inline]] inline void transpose(const Lanes& p, int count, double (&q)[kLanes][kPadded]) {
+  for (int k = 0; k < kLanes; ++k)
+    for (int b = 0; b < count; ++b) q[k][b] = p[b][k];
+}
+
 template <class Counts>
 [[gnu::always_inline]] inline void moments(const Counts& n, const CellOrder& order, const CellPiece& piece,
                                            double* matrix, double* rhs) {
-  alignas(32) double p[kMostMoments], q[kPadded] = {};
   const int dimension = order.dimension();
-  for (Index k = piece.begin; k < piece.end; ++k) {
-    legendre_values(order.outer(k), n.qo, p);
-    legendre_values(order.inner(k), n.qi, q);
-    const double w = order.weight(k);
-    for (int a = 0; a < n.qo; ++a) {
-      const double wp = w * p[a];
-      for (int b = 0; b < n.stride; ++b) matrix[a * n.stride + b] += wp * q[b];
-    }
-    const double* x = order.value(k);
+  alignas(64) Lanes p, ps;
+  alignas(64) double q[kLanes][kPadded] = {}, t[kLanes], s[kLanes], x[kLanes] = {};
+  for (Index begin = piece.begin; begin < piece.end; begin += kLanes) {
+    const int count = load_lanes(order, begin, piece.end, t, s);
+    legendre_lanes(t, n.qo, p);
+    legendre_lanes(s, n.qi, ps);
+    transpose(ps, n.qi, q);
+    for (int k = count; k < kLanes; ++k) x[k] = 0;
+    for (int k = 0; k < count; ++k) x[k] = order.weight(begin + k);
+    add_products(x, p, q, n.qo, n.stride, matrix);
     for (int e = 0; e < dimension; ++e) {
-      const double wx = w * x[e];
-      double* r = rhs + e * n.wo * n.wi;
-      for (int a = 0; a < n.wo; ++a) {
-        const double wp = wx * p[a];
-        for (int b = 0; b < n.wi; ++b) r[a * n.wi + b] += wp * q[b];
-      }
+      for (int k = 0; k < count; ++k) x[k] = order.weight(begin + k) * order.value(begin + k)[e];
+      add_products(x, p, q, n.wo, n.wi, rhs + e * n.wo * n.wi);
     }
   }
 }
 
 template <class Counts>
 [[gnu::always_inline]] inline void rhs_moments(const Counts& n, const CellOrder& order,
-                                               const CellPiece& piece, const double* x, double* rhs) {
-  double p[kMostMoments], q[kMostMoments];
+                                               const CellPiece& piece, const double* values, double* rhs) {
   const int dimension = order.dimension();
-  for (Index k = piece.begin; k < piece.end; ++k) {
-    legendre_values(order.outer(k), n.wo, p);
-    legendre_values(order.inner(k), n.wi, q);
-    const double w = order.weight(k);
+  alignas(64) Lanes p, ps;
+  alignas(64) double q[kLanes][kPadded] = {}, t[kLanes], s[kLanes], x[kLanes] = {};
+  for (Index begin = piece.begin; begin < piece.end; begin += kLanes) {
+    const int count = load_lanes(order, begin, piece.end, t, s);
+    legendre_lanes(t, n.wo, p);
+    legendre_lanes(s, n.wi, ps);
+    transpose(ps, n.wi, q);
+    for (int k = count; k < kLanes; ++k) x[k] = 0;
     for (int e = 0; e < dimension; ++e) {
-      const double wx = w * x[order.stored(k) * dimension + e];
-      double* r = rhs + e * n.wo * n.wi;
-      for (int a = 0; a < n.wo; ++a) {
-        const double wp = wx * p[a];
-        for (int b = 0; b < n.wi; ++b) r[a * n.wi + b] += wp * q[b];
-      }
+      for (int k = 0; k < count; ++k)
+        x[k] = order.weight(begin + k) * values[order.stored(begin + k) * dimension + e];
+      add_products(x, p, q, n.wo, n.wi, rhs + e * n.wo * n.wi);
     }
   }
 }
@@ -73,21 +115,24 @@ template <class Counts>
 template <class Counts>
 [[gnu::always_inline]] inline void residuals(const Counts& n, const CellOrder& order, const CellPiece& piece,
                                              const double* c, double* x) {
-  double p[kMostMoments], q[kMostMoments];
   const int dimension = order.dimension();
-  for (Index k = piece.begin; k < piece.end; ++k) {
-    legendre_values(order.outer(k), n.wo, p);
-    legendre_values(order.inner(k), n.wi, q);
-    const double* value = order.value(k);
+  alignas(64) Lanes p, q;
+  alignas(64) double t[kLanes], s[kLanes], sum[kLanes], row[kLanes];
+  for (Index begin = piece.begin; begin < piece.end; begin += kLanes) {
+    const int count = load_lanes(order, begin, piece.end, t, s);
+    legendre_lanes(t, n.wo, p);
+    legendre_lanes(s, n.wi, q);
     for (int e = 0; e < dimension; ++e) {
       const double* ce = c + e * n.wo * n.wi;
-      double sum = 0;
+      for (int k = 0; k < kLanes; ++k) sum[k] = 0;
       for (int a = 0; a < n.wo; ++a) {
-        double row = 0;
-        for (int b = 0; b < n.wi; ++b) row += ce[a * n.wi + b] * q[b];
-        sum += row * p[a];
+        for (int k = 0; k < kLanes; ++k) row[k] = 0;
+        for (int b = 0; b < n.wi; ++b)
+          for (int k = 0; k < kLanes; ++k) row[k] += ce[a * n.wi + b] * q[b][k];
+        for (int k = 0; k < kLanes; ++k) sum[k] += row[k] * p[a][k];
       }
-      x[order.stored(k) * dimension + e] = sum - value[e];
+      for (int k = 0; k < count; ++k)
+        x[order.stored(begin + k) * dimension + e] = sum[k] - order.value(begin + k)[e];
     }
   }
 }
