@@ -200,20 +200,75 @@ void add_data_options(CLI::App& app, FitChoices& c) {
       group, [&](const std::string& t) { c.duplicates = parse_named(kDuplicateRules, t); });
 }
 
+void add_mesh_options(CLI::App& app, FitChoices& c) {
+  const std::string group = "Meshes";
+  add_flag(app, "--largest-part", "Keep the part of a mesh with the most area", group,
+           [&] { c.largest_part = true; });
+  add_flag(app, "--orient",
+           "Turn triangles that have their corners in the opposite order to their neighbours", group,
+           [&] { c.orient = true; });
+  add_flag(app, "--drop-degenerate", "Drop triangles of no area, without opening gaps", group,
+           [&] { c.drop_degenerate = true; });
+  add(app, "--corners", "RULE|I,J,K,L|PLACES",
+      "Corners of the square that a mesh is mapped to: auto (default), sharpest, search; or four vertices of "
+      "the "
+      "boundary, counter-clockwise, by number as the file counts (OBJ from 1, others from 0) or by place: "
+      "\"x,y,z;x,y,z;x,y,z;x,y,z\"",
+      group, [&](const std::string& t) {
+        parse_corners(t);
+        c.corners = t;
+      });
+  add(app, "--omega", "X", "Weight of the normals in the map's metric, 0 to 10; default: the best of some",
+      group, [&](const std::string& t) { c.omega = parse_not_negative(t); });
+}
+
+void add_samples(CLI::App& app, std::optional<int>& samples) {
+  add(app, "--samples", "N", "Samples a knot span of .obj, .ply and .vts outputs; default 4", "Output",
+      [&](const std::string& t) {
+        const long long n = parse_count(t, 1);
+        if (n > 10000) refuse(t, "a number of samples up to 10000");
+        samples = static_cast<int>(n);
+      });
+}
+
+void add_parameterize(CLI::App& app, ParameterizeArguments& parameterize) {
+  add_input(app, "MESH", parameterize.input, "A mesh with one boundary loop: .ply .obj .off .stl");
+  add_mesh_options(app, parameterize.choices);
+  add_flag(app, "--fill-holes", "Close every boundary loop but the longest", "Meshes",
+           [&] { parameterize.choices.fill_holes = true; });
+  add(app, "--input-format", "NAME", "Format of the input, by name; default: by extension, then content",
+      "Input", [&](const std::string& t) { parameterize.choices.input.format = t; });
+  add_output_options(
+      app, parameterize.output,
+      "May repeat; by extension: .csv the vertices x,y,z,u,v, .obj the mesh with vt, .ply with s, t");
+  add_flag(app, "--json", "One JSON object on standard output: the map's quality", "Output",
+           [&] { parameterize.json = true; });
+  add_threads(app, parameterize.threads);
+  add_flag(app, "--quiet", "No progress and no summary", "Running", [&] { parameterize.quiet = true; });
+}
+
 void add_fit(CLI::App& app, FitArguments& fit) {
   FitChoices& c = fit.choices;
-  add_input(app, "INPUT", fit.input, "Points with parameters, a raster of heights, rows or grids of points");
+  add_input(app, "INPUT", fit.input,
+            "Points with parameters, a mesh, a raster of heights, rows or grids of points");
   add_tolerance_options(app, c);
   add_knot_options(app, fit);
   add_data_options(app, c);
+  add_mesh_options(app, c);
+  add_flag(app, "--new-parameters", "Map a mesh anew that has parameters (vt; s, t; u, v)", "Meshes",
+           [&] { c.new_parameters = true; });
   add_output_options(
       app, fit.output,
       "May repeat; by extension: .json the surface, .csv the residuals, .asc or .grd the fitted "
-      "heights, .png .svg .pdf a picture");
+      "heights, .png .svg .pdf a picture, .obj .ply .vts the surface in triangles or as a grid, with errors");
+  add_samples(app, c.samples);
   const std::string output = "Output";
   add_cell(app, c.cell, "Cell size of an .asc output, or two as 30x25; default: the input raster's own grid");
-  add_flag(app, "--fill-holes", "Heights of the surface where the input raster has holes", output,
-           [&] { c.fill_holes = true; });
+  add_flag(
+      app, "--fill-holes",
+      "Heights of the surface where the input raster has holes; of a mesh: close every boundary loop but "
+      "the longest before it is mapped",
+      output, [&] { c.fill_holes = true; });
   add_flag(app, "--json", "One JSON object on standard output in place of the summary", output,
            [&] { fit.json = true; });
   const std::string running = "Running";
@@ -236,6 +291,16 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   add_flag(app, "--no-fill-holes", "Undo a stored --fill-holes", repeat, [&] {
     c.fill_holes = false;
   })->excludes(app.get_option("--fill-holes"));
+  const std::pair<const char*, std::optional<bool>*> undone[] = {{"largest-part", &c.largest_part},
+                                                                 {"orient", &c.orient},
+                                                                 {"drop-degenerate", &c.drop_degenerate},
+                                                                 {"new-parameters", &c.new_parameters}};
+  for (const auto& [name, flag] : undone) {
+    const std::string option = std::string("--") + name;
+    add_flag(app, std::string("--no-") + name, "Undo a stored " + option, repeat, [flag = flag] {
+      *flag = false;
+    })->excludes(app.get_option(option));
+  }
 }
 
 void add_eval(CLI::App& app, EvalArguments& eval) {
@@ -289,11 +354,13 @@ void add_convert(CLI::App& app, ConvertArguments& convert) {
   add_output_options(
       app, convert.output,
       "May repeat. Of a surface: .json, .csv (values on --grid), .asc or .grd (heights; --cell), "
-      ".png .svg .pdf. Of data: .csv (points), .asc or .grd (points that lie on a grid)")
+      ".png .svg .pdf, .obj .ply .vts. Of data: .csv (points), .asc or .grd (points that lie on a grid), "
+      ".obj .ply (meshes)")
       ->required();
   add_cell(app, convert.cell,
            "Cell size of an .asc output, or two as 30x25; default: the grid of the raster "
            "that was fitted");
+  add_samples(app, convert.samples);
   add(app, "--grid", "NxM", "Places of a .csv output; default 100x100", "Output",
       [&](const std::string& t) { convert.grid = parse_pair(t, 2); });
 }
@@ -321,20 +388,23 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     sub->callback([&line, value] { line.command = value; });
     return sub;
   };
-  CLI::App* fit = command("fit", "Fit one B-spline surface to points or terrain", Command::fit);
+  CLI::App* fit = command("fit", "Fit one B-spline surface to points, a mesh or terrain", Command::fit);
+  CLI::App* parameterize =
+      command("parameterize", "Give the vertices of a mesh parameters u, v", Command::parameterize);
   CLI::App* eval = command("eval", "Values, derivatives and differences of a surface", Command::eval);
   CLI::App* info = command("info", "What a surface or a data file holds", Command::info);
   CLI::App* convert = command("convert", "Write a surface or data in another format", Command::convert);
   CLI::App* methods = command("methods", "List the knot placement methods", Command::methods);
   CLI::App* formats = command("formats", "List the file formats", Command::formats);
   add_fit(*fit, line.fit);
+  add_parameterize(*parameterize, line.parameterize);
   add_eval(*eval, line.eval);
   add_info(*info, line.info);
   add_convert(*convert, line.convert);
   add_list(*methods, line.list);
   add_list(*formats, line.list);
   fit->footer(examples("fit") + "\n" + exit_statuses());
-  for (CLI::App* sub : {eval, info, convert}) sub->footer(examples(sub->get_name()));
+  for (CLI::App* sub : {parameterize, eval, info, convert}) sub->footer(examples(sub->get_name()));
 
   try {
     app.parse(argc, argv);

@@ -9,6 +9,7 @@
 #include "input.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
+#include "mesh_outputs.h"
 #include "outputs.h"
 #include "sampling.h"
 #include "text_values.h"
@@ -77,6 +78,10 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
       case OutputKind::raster:
         write_raster_file(file.path, force, heights(document, arguments, file.path));
         break;
+      case OutputKind::mesh:
+        write_surface_mesh(file, force, document.surface, document.map, document.height_field,
+                           arguments.samples.value_or(kSamplesPerSpan), nullptr, {});
+        break;
       case OutputKind::picture: {
         PictureInput picture;
         picture.surface = &document.surface;
@@ -91,11 +96,19 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
 void convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::surface || file.kind == OutputKind::picture)
-      throw InvalidInput(fmt::format("{}: data becomes .csv, .asc or .grd; a {} needs a surface: knotfit fit",
-                                     file.path, file.extension));
+      throw InvalidInput(fmt::format(
+          "{}: data becomes .csv, .asc or .grd, and a mesh .obj or .ply; a {} needs a surface: knotfit fit",
+          file.path, file.extension));
   const SourceData data = read_input(arguments.input, arguments.read);
+  const Mesh* mesh = std::get_if<Mesh>(&data.content);
+  for (const OutputFile& file : files)
+    if (file.kind == OutputKind::mesh && mesh == nullptr)
+      throw InvalidInput(fmt::format("{}: a {} holds a mesh or a surface, and {} holds neither", file.path,
+                                     file.extension, arguments.input));
   for (const OutputFile& file : files) {
-    if (file.kind == OutputKind::raster)
+    if (file.kind == OutputKind::mesh)
+      write_mesh_file(file, arguments.output.force, *mesh);
+    else if (file.kind == OutputKind::raster)
       write_raster_file(file.path, arguments.output.force, raster_of(data));
     else
       write_text_file(file.path, arguments.output.force, to_csv(points_table(data)));

@@ -47,6 +47,7 @@ Lines grid_lines(std::vector<double> at, const std::string& path, const char* na
 
 PointTable as_table(const SourceData& data) {
   if (const PointRows* rows = std::get_if<PointRows>(&data.content)) return table_of(*rows);
+  if (const Mesh* mesh = std::get_if<Mesh>(&data.content)) return table_of(*mesh);
   return std::get<PointTable>(data.content);
 }
 

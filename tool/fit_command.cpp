@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -10,6 +11,7 @@
 #include "knotfit/fit_surface.h"
 #include "knotfit/io.h"
 #include "knotfit/threads.h"
+#include "mesh_outputs.h"
 #include "options_json.h"
 #include "outputs.h"
 #include "signals.h"
@@ -57,7 +59,10 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   if (!c.spacing) c.spacing = RowSpacing::chord;
   if (!c.rescale_parameters) c.rescale_parameters = false;
   if (!c.duplicates) c.duplicates = DuplicateRule::fail;
-  if (!c.fill_holes) c.fill_holes = false;
+  for (auto* flag : {&c.fill_holes, &c.largest_part, &c.orient, &c.drop_degenerate, &c.new_parameters})
+    if (!*flag) *flag = false;
+  if (!c.corners) c.corners = "auto";
+  if (!c.samples) c.samples = kSamplesPerSpan;
   return c;
 }
 
@@ -131,6 +136,9 @@ class FitWriter {
       }
       case OutputKind::raster:
         return write_raster_file(file.path, force_, fitted_heights(grid_, result, input, report_.choices));
+      case OutputKind::mesh:
+        return write_surface_mesh(file, force_, result.surface, result.map, result.height_field,
+                                  *report_.choices.samples, &input.points, result.errors);
       case OutputKind::picture:
         return write_picture_file(file, force_, picture());
     }
@@ -203,7 +211,14 @@ int run_fit(const FitArguments& arguments) {
   TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
 
   terminal.report({.stage = "read"});
-  const FitInput input = read_fit_input(arguments.input, choices);
+  Control control;
+  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
+  control.stop = stop.token();
+  control.time_limit = choices.time_limit.value_or(0);
+  const FitInput input = read_fit_input(arguments.input, choices, control);
+  for (const OutputFile& file : files)
+    if (file.kind == OutputKind::mesh)
+      check_surface_mesh(file, input.points.dimension, input.points.height_field);
   const Raster grid = asks_for(files, OutputKind::raster) ? output_grid(input, choices) : Raster{};
   if (stop.requested()) {
     terminal.clear();
@@ -211,10 +226,11 @@ int run_fit(const FitArguments& arguments) {
     return kStopped;
   }
 
-  Control control;
-  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
-  control.stop = stop.token();
-  control.time_limit = choices.time_limit.value_or(0);
+  // A map of a mesh took its share of the time.
+  if (control.time_limit > 0 && input.mesh)
+    control.time_limit =
+        std::max(1e-3, control.time_limit -
+                           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   FitResult result;
   try {
     result = fit_surface(input.points, fit_options(choices), control);

@@ -47,6 +47,10 @@ std::string examples(std::string_view command) {
             "  knotfit eval terrain.json --at -84.2,36.6 --derivatives 1\n" +
             "  knotfit eval face.json --grid 50x50 -o grid.csv\n" +
             "  knotfit eval face.json --points samples/face.uv.csv -o differences.csv\n";
+  else if (command == "parameterize")
+    text += std::string("  knotfit parameterize samples/face.obj -o face.csv -o face.vt.obj\n") +
+            "  knotfit parameterize samples/face.obj --corners sharpest --omega 0 --json\n" +
+            "  knotfit fit face.csv --tol 5% -o face.json\n";
   else if (command == "info")
     text += face + "  knotfit info face.json\n  knotfit info samples/jacksboro.asc --json\n";
   else if (command == "convert")

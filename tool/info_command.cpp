@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "exit_status.h"
 #include "input.h"
+#include "knotfit/errors.h"
 #include "knotfit/io.h"
 #include "outputs.h"
 #include "text_values.h"
@@ -34,6 +35,7 @@ struct DataFacts {
   Index points = 0, holes = 0;
   std::vector<std::pair<std::string, Index>> counts{};
   std::vector<Range> ranges{};
+  std::string problem{};  ///< why a mesh is no disk; empty: none
 };
 
 Range range_of(const char* name, const std::vector<double>& values) {
@@ -82,8 +84,15 @@ DataFacts facts_of(const PointRows& rows) {
 
 DataFacts facts_of(const Mesh& mesh) {
   DataFacts facts{.content = "mesh"};
-  facts.read_as = "its vertices, with parameters from a map of the mesh";
+  facts.read_as = mesh.uv.empty()
+                      ? "its vertices, with parameters from a map of the mesh"
+                      : "its vertices at their parameters u, v; with --new-parameters at those of a map";
   const MeshReport report = inspect(mesh);
+  try {
+    require_disk(mesh);
+  } catch (const InvalidInput& e) {
+    facts.problem = e.what();
+  }
   facts.counts = {{"vertices", mesh.vertex_count()},
                   {"triangles", mesh.face_count()},
                   {"parts", report.parts},
@@ -128,6 +137,10 @@ std::string data_info(const InfoArguments& arguments) {
     j["ranges"] = Json::object();
     for (const Range& r : facts.ranges)
       j["ranges"][r.name] = r.empty() ? Json(nullptr) : Json{r.least, r.most};
+    if (facts.content == "mesh") {
+      j["disk"] = facts.problem.empty();
+      j["problem"] = facts.problem.empty() ? Json(nullptr) : Json(facts.problem);
+    }
     j["read_as"] = facts.read_as;
     return j.dump() + "\n";
   }
@@ -141,6 +154,8 @@ std::string data_info(const InfoArguments& arguments) {
   if (raster) text += fmt::format("cell: {} x {}\n", raster->dx, raster->dy);
   for (const Range& r : facts.ranges)
     if (!r.empty()) text += fmt::format("{}: {} to {}\n", r.name, r.least, r.most);
+  if (facts.content == "mesh")
+    text += "disk: " + (facts.problem.empty() ? "yes" : "no: " + facts.problem) + "\n";
   return text + "fitted as: " + facts.read_as + "\n";
 }
 

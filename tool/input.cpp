@@ -7,6 +7,17 @@
 namespace knotfit::tool {
 namespace {
 
+ParameterizedPoints parameterize(const Mesh& mesh, const FitChoices& choices, const Control& control,
+                                 std::optional<MappedMesh>& mapped) {
+  if (choices.height_field.value_or(false)) {
+    mapped = repaired_mesh(mesh, choices);
+    return parameterize_height_field(table_of(mapped->mesh));
+  }
+  mapped = map_mesh(mesh, choices, control);
+  if (mapped->map) return mesh_points(mapped->mesh, mapped->map->uv);
+  return parameterize_given(table_of(mapped->mesh), choices.rescale_parameters.value_or(false));
+}
+
 ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices) {
   const bool height_field = choices.height_field.value_or(false);
   if (const Raster* raster = std::get_if<Raster>(&data.content)) return parameterize_height_field(*raster);
@@ -50,14 +61,16 @@ PointTable table_of(const PointRows& rows) {
   return table;
 }
 
-FitInput read_fit_input(const std::string& path, const FitChoices& choices) {
+FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control) {
   FitInput input;
   SourceData data = read_input(path, choices.input);
   input.summary.path = path;
   input.summary.format = data.format;
   input.summary.holes = count_holes(data);
   try {
-    input.points = parameterize(data, choices);
+    const Mesh* mesh = std::get_if<Mesh>(&data.content);
+    input.points =
+        mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh) : parameterize(data, choices);
     // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
     double tolerance = 0;
     if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {

@@ -6,6 +6,7 @@
 #include "knotfit/io.h"
 #include "knotfit/points.h"
 #include "knotfit/source_data.h"
+#include "mesh_input.h"
 #include "options.h"
 namespace knotfit::tool {
 
@@ -22,7 +23,8 @@ struct FitInput {
   ParameterizedPoints points;
   /// The points before duplicates were settled; empty where none was dropped.
   ParameterizedPoints all_points;
-  std::optional<Raster> raster;  ///< the input itself, where it is one
+  std::optional<Raster> raster;    ///< the input itself, where it is one
+  std::optional<MappedMesh> mesh;  ///< the input, where it is a mesh
   const ParameterizedPoints& every_point() const { return all_points.size() > 0 ? all_points : points; }
 };
 
@@ -31,7 +33,7 @@ SourceData read_input(const std::string& path, const InputOptions& options);
 
 /// \param choices  completed: tolerance present unless a size or knots make it absent
 /// \throws FileError, InvalidInput  the message begins with the path
-FitInput read_fit_input(const std::string& path, const FitChoices& choices);
+FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control = {});
 
 /// Cells or points of `data` that are holes.
 Index count_holes(const SourceData& data);

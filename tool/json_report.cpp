@@ -52,6 +52,7 @@ Json input_of(const FitReport& r) {
                 {"dimension", r.input.points.dimension},
                 {"height_field", r.result.height_field},
                 {"diagonal", number(r.result.diagonal)}};
+  if (r.input.mesh) input["mesh"] = Json::parse(mesh_to_json(*r.input.mesh));
   if (const auto& raster = r.input.raster)
     input["grid"] = {{"columns", raster->columns}, {"rows", raster->rows},     {"x0", number(raster->x0)},
                      {"y0", number(raster->y0)},   {"dx", number(raster->dx)}, {"dy", number(raster->dy)}};

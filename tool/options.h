@@ -1,5 +1,6 @@
 // What the command line asks for, as plain structs. A field without a value was not given.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "knotfit/features.h"
 #include "knotfit/parameterize.h"
+#include "knotfit/parameterize_mesh.h"
 #include "knotfit/place.h"
 #include "knotfit/refine.h"
 #include "knotfit/tolerance.h"
@@ -33,6 +35,13 @@ struct IntegerPair {
 struct KnotSource {
   std::string method;  ///< empty: given
   std::optional<InteriorKnots> given;
+};
+
+/// --corners: a rule, or four vertices by number or place.
+struct CornerChoice {
+  CornerRule rule = CornerRule::automatic;
+  std::vector<Index> vertices{};                ///< four in the file's own counting, or none
+  std::vector<std::array<double, 3>> places{};  ///< four, or none
 };
 
 /// How a data file is read.
@@ -62,7 +71,11 @@ struct FitChoices {
   std::optional<bool> rescale_parameters;
   std::optional<DuplicateRule> duplicates;
   std::optional<std::pair<double, double>> cell;  ///< of .asc outputs: dx, dy
-  std::optional<bool> fill_holes;
+  std::optional<bool> fill_holes;  ///< of a raster in .asc outputs, of a mesh before it is mapped
+  std::optional<bool> largest_part, orient, drop_degenerate, new_parameters;  ///< of meshes
+  std::optional<std::string> corners;                                         ///< text of parse_corners
+  std::optional<double> omega;  ///< weight of the normals in the map
+  std::optional<int> samples;   ///< a span, of .obj, .ply and .vts outputs
 };
 
 struct OutputOptions {
@@ -75,6 +88,15 @@ struct FitArguments {
   FitChoices choices;
   std::string knots_from;    ///< surface file whose knots (and degree) are used
   std::string options_from;  ///< file whose stored options are repeated
+  OutputOptions output;
+  int threads = 0;
+  bool quiet = false, json = false;
+};
+
+/// Only the choices on reading, repairing and mapping a mesh count.
+struct ParameterizeArguments {
+  std::string input;
+  FitChoices choices;
   OutputOptions output;
   int threads = 0;
   bool quiet = false, json = false;
@@ -105,6 +127,7 @@ struct ConvertArguments {
   InputOptions read;
   std::optional<std::pair<double, double>> cell;
   std::optional<IntegerPair> grid;
+  std::optional<int> samples;
   OutputOptions output;
 };
 
@@ -113,11 +136,12 @@ struct ListArguments {
   bool json = false;
 };
 
-enum class Command { fit, eval, info, convert, methods, formats };
+enum class Command { fit, parameterize, eval, info, convert, methods, formats };
 
 struct CommandLine {
   Command command = Command::fit;
   FitArguments fit;
+  ParameterizeArguments parameterize;
   EvalArguments eval;
   InfoArguments info;
   ConvertArguments convert;

@@ -12,6 +12,7 @@
 
 #include "knotfit/errors.h"
 #include "knotfit/knot_vector.h"
+#include "mesh_outputs.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -179,6 +180,19 @@ const std::vector<Row>& table() {
       named("duplicates", &FitChoices::duplicates, kDuplicateRules, DuplicateRule::fail, "--duplicates"),
       cell(),
       flag("fill_holes", &FitChoices::fill_holes, false, "--fill-holes"),
+      flag("largest_part", &FitChoices::largest_part, false, "--largest-part"),
+      flag("orient", &FitChoices::orient, false, "--orient"),
+      flag("drop_degenerate", &FitChoices::drop_degenerate, false, "--drop-degenerate"),
+      flag("new_parameters", &FitChoices::new_parameters, false, "--new-parameters"),
+      row<std::string>(
+          "corners", &FitChoices::corners, [](const std::string& t) { return Json(t); },
+          [](const Json& j) {
+            parse_corners(j.get<std::string>());
+            return j.get<std::string>();
+          },
+          [](const std::string& t) { return t == "auto" ? "" : fmt::format("--corners '{}'", t); }),
+      number("omega", &FitChoices::omega, parse_not_negative, -1, "--omega"),
+      count<int>("samples", &FitChoices::samples, kSamplesPerSpan, "--samples"),
   };
   return rows;
 }

@@ -28,11 +28,12 @@ constexpr Extension kExtensions[] = {
     {".json", OutputKind::surface, "the surface"}, {".csv", OutputKind::table, "a table of points"},
     {".asc", OutputKind::raster, "heights"},       {".grd", OutputKind::raster, "heights"},
     {".png", OutputKind::picture, "a picture"},    {".svg", OutputKind::picture, "a picture"},
-    {".pdf", OutputKind::picture, "a picture"},
+    {".pdf", OutputKind::picture, "a picture"},    {".obj", OutputKind::mesh, "a mesh"},
+    {".ply", OutputKind::mesh, "a mesh"},          {".vts", OutputKind::mesh, "a VTK grid"},
 };
 // Formats that have their place, but not in this version.
-constexpr std::string_view kLater[] = {".step", ".stp", ".iges", ".igs", ".obj",  ".ply", ".stl", ".off",
-                                       ".vtk",  ".vtu", ".vtp",  ".tif", ".tiff", ".las", ".laz", ".npy"};
+constexpr std::string_view kLater[] = {".step", ".stp", ".iges", ".igs",  ".stl", ".off", ".vtk",
+                                       ".vtu",  ".vtp", ".tif",  ".tiff", ".las", ".laz", ".npy"};
 
 constexpr double kMostCells = 4e8;
 

@@ -13,7 +13,7 @@
 #include "options.h"
 namespace knotfit::tool {
 
-enum class OutputKind { surface, table, raster, picture };
+enum class OutputKind { surface, table, raster, picture, mesh };
 
 struct OutputFile {
   std::string path;

@@ -61,6 +61,8 @@ Places of_file(const EvalArguments& arguments, const SurfaceDocument& document) 
     places = of_raster(*raster);
   } else if (PointRows* rows = std::get_if<PointRows>(&data.content)) {
     places = of_table(table_of(*rows), document, path);
+  } else if (const Mesh* mesh = std::get_if<Mesh>(&data.content)) {
+    places = of_table(table_of(*mesh), document, path);
   } else {
     places = of_table(std::move(std::get<PointTable>(data.content)), document, path);
   }

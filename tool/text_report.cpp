@@ -39,7 +39,8 @@ std::string input_line(const FitReport& r) {
   if (s.holes > 0) line += fmt::format(", {} holes", s.holes);
   if (s.duplicates > 0) line += fmt::format(", {} dropped (equal parameters)", s.duplicates);
   line += r.result.height_field ? ", height field, range of heights" : ", diagonal";
-  return line + fmt::format(" {:.6g}\n", r.result.diagonal);
+  line += fmt::format(" {:.6g}\n", r.result.diagonal);
+  return r.input.mesh ? line + mesh_to_text(*r.input.mesh) : line;
 }
 
 std::string worst_place(const FitReport& r) {

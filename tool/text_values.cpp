@@ -154,6 +154,36 @@ std::vector<double> parse_knots(std::string_view text) {
   return knots;
 }
 
+CornerChoice parse_corners(std::string_view text) {
+  constexpr const char* kWanted =
+      "auto, sharpest, search, four vertices \"i,j,k,l\" or four places \"x,y,z;...\"";
+  for (const auto& entry : kCornerRules)
+    if (entry.name == text) return {.rule = entry.value};
+  const auto split = [](std::string_view all, char mark) {
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0;;) {
+      const std::size_t end = all.find(mark, at);
+      parts.push_back(all.substr(at, end - at));
+      if (end == std::string_view::npos) return parts;
+      at = end + 1;
+    }
+  };
+  CornerChoice choice;
+  const auto places = split(text, ';');
+  if (places.size() == 4) {
+    for (const std::string_view place : places) {
+      const auto numbers = split(place, ',');
+      if (numbers.size() != 3) refuse(text, kWanted);
+      choice.places.push_back({parse_number(numbers[0]), parse_number(numbers[1]), parse_number(numbers[2])});
+    }
+    return choice;
+  }
+  const auto numbers = split(text, ',');
+  if (places.size() != 1 || numbers.size() != 4) refuse(text, kWanted);
+  for (const std::string_view number : numbers) choice.vertices.push_back(parse_count(number, 0));
+  return choice;
+}
+
 std::vector<std::string> parse_columns(std::string_view text) {
   std::vector<std::string> columns;
   for (const std::string_view part : split(text, ',')) {

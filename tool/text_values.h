@@ -24,6 +24,8 @@ inline constexpr Named<DuplicateRule> kDuplicateRules[] = {{DuplicateRule::fail,
                                                            {DuplicateRule::mean, "mean"},
                                                            {DuplicateRule::lowest, "lowest"},
                                                            {DuplicateRule::highest, "highest"}};
+inline constexpr Named<CornerRule> kCornerRules[] = {
+    {CornerRule::automatic, "auto"}, {CornerRule::sharpest, "sharpest"}, {CornerRule::search, "search"}};
 inline constexpr Named<bool> kSwitch[] = {{true, "on"}, {false, "off"}};
 
 // Every function below throws InvalidInput that quotes the text and says what is wanted.
@@ -47,6 +49,8 @@ std::pair<double, double> parse_position(std::string_view text);
 std::pair<double, double> parse_cell(std::string_view text);
 /// "0.2,0.5", increasing inside (0,1); "none" or nothing: no knots.
 std::vector<double> parse_knots(std::string_view text);
+/// "auto", "sharpest", "search"; "i,j,k,l"; "x,y,z;x,y,z;x,y,z;x,y,z".
+CornerChoice parse_corners(std::string_view text);
 /// "x,y,z,-,u,v".
 std::vector<std::string> parse_columns(std::string_view text);
 

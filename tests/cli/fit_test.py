@@ -390,8 +390,8 @@ class BadInput(ToolTest):
         self.refused("fit", "points.csv", "--control-points", "3x3", words=["at least 4 x 4"])
 
     def test_a_format_of_a_later_version_says_so(self):
-        self.write("mesh.obj", "v 0 0 0\n")
-        self.refused("fit", "mesh.obj", "--tol", "1%", words=["mesh.obj", "not supported by this version"])
+        self.write("cloud.las", "LASF")
+        self.refused("fit", "cloud.las", "--tol", "1%", words=["cloud.las", "not supported by this version"])
 
 
 class Options(ToolTest):

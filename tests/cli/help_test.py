@@ -10,7 +10,7 @@ import unittest
 
 from harness import SAMPLES, SOURCE, TOOL, ToolTest
 
-COMMANDS = ["fit", "eval", "info", "convert", "methods", "formats"]
+COMMANDS = ["fit", "parameterize", "eval", "info", "convert", "methods", "formats"]
 MAN = SOURCE / "tool" / "man" / "knotfit.1"
 COMPLETION = SOURCE / "tool" / "completion"
 
@@ -43,11 +43,14 @@ class Help(ToolTest):
         wanted = ("--tol --within --rms --control-points --knots --knots-u --knots-v --knots-from --degree --refine "
                   "--max-control-points --max-fits --time-limit --height-field --spacing --rescale-parameters "
                   "--duplicates --columns --input-format --nodata --feature --smoothing --between --cell --fill-holes "
-                  "--output --force --threads --quiet --json --options").split()
+                  "--output --force --threads --quiet --json --options --largest-part --orient --drop-degenerate "
+                  "--corners --omega --new-parameters --samples").split()
         self.assertLessEqual(set(wanted), options_of(self.help("fit")))
         wanted = "--at --points --grid --derivatives --derivative --normals --curvature --clamp --json --output".split()
         self.assertLessEqual(set(wanted), options_of(self.help("eval")))
-        self.assertLessEqual({"--cell", "--grid", "--output", "--force"}, options_of(self.help("convert")))
+        self.assertLessEqual({"--cell", "--grid", "--samples", "--output", "--force"}, options_of(self.help("convert")))
+        wanted = ("--largest-part --fill-holes --orient --drop-degenerate --corners --omega --output --json").split()
+        self.assertLessEqual(set(wanted), options_of(self.help("parameterize")))
 
     def test_methods_of_the_help_are_those_of_the_table(self):
         methods = json.loads(self.run_tool("methods", "--json").stdout)
@@ -63,9 +66,9 @@ class Help(ToolTest):
     def test_formats_are_listed_and_every_output_is_among_them(self):
         formats = json.loads(self.run_tool("formats", "--json").stdout)
         written = {e for f in formats if f["writes"] for e in f["extensions"].split()}
-        self.assertLessEqual({".json", ".csv", ".asc", ".grd", ".png", ".svg", ".pdf"}, written)
+        self.assertLessEqual({".json", ".csv", ".asc", ".grd", ".png", ".svg", ".pdf", ".obj", ".ply", ".vts"}, written)
         read = {e for f in formats if f["reads"] for e in f["extensions"].split()}
-        self.assertLessEqual({".asc", ".csv", ".txt", ".xyz", ".npy", ".json"}, read)
+        self.assertLessEqual({".asc", ".csv", ".txt", ".xyz", ".npy", ".json", ".ply", ".obj", ".off", ".stl"}, read)
         self.assertEqual(self.run_tool("formats", "--names").stdout.split(), [f["name"] for f in formats])
         self.assertIn("ESRI", self.run_tool("formats").stdout)
 
@@ -74,7 +77,8 @@ class Help(ToolTest):
         self.write_points()
         stored = self.run_json("fit", "points.csv", "--control-points", "5")["options"]
         others = {"--help", "--output", "--force", "--json", "--threads", "--quiet", "--options", "--knots-u",
-                  "--knots-v", "--knots-from", "--no-height-field", "--no-rescale-parameters", "--no-fill-holes"}
+                  "--knots-v", "--knots-from", "--no-height-field", "--no-rescale-parameters", "--no-fill-holes", "--no-largest-part",
+                  "--no-orient", "--no-drop-degenerate", "--no-new-parameters"}
         names = {"--tol": "tolerance", "--within": "measure", "--rms": "measure"}
         for option in options_of(self.help("fit")) - others:
             self.assertIn(names.get(option, option[2:].replace("-", "_")), stored)
@@ -84,7 +88,7 @@ class Examples(ToolTest):
     def test_examples_work_as_printed(self):
         (self.folder / "samples").symlink_to(SAMPLES)
         path = f"{os.path.dirname(os.path.abspath(TOOL))}:{os.environ['PATH']}"
-        for command in ([], ["fit"], ["eval"], ["info"], ["convert"]):
+        for command in ([], ["fit"], ["parameterize"], ["eval"], ["info"], ["convert"]):
             text = self.run_tool(*command, "--help").stdout
             lines = [line.strip() for line in text.splitlines() if line.startswith("  knotfit ")]
             self.assertGreaterEqual(len(lines), 3, text)
@@ -157,6 +161,7 @@ class Completions(ToolTest):
         self.write("points.csv", "")
         self.write("s.json", "")
         self.assertEqual(self.complete("knotfit", "fit", "po"), ["points.csv"])
+        self.assertEqual(self.complete("knotfit", "parameterize", "--corners", "sh"), ["sharpest"])
         self.assertEqual(self.complete("knotfit", "eval", "s"), ["s.json"])
 
     def test_shells_that_are_there_take_their_file(self):

@@ -5,7 +5,7 @@ _knotfit() {
   local tool=${COMP_WORDS[0]}
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-    case $word in fit | eval | info | convert | methods | formats) command=$word; break ;; esac
+    case $word in fit | parameterize | eval | info | convert | methods | formats) command=$word; break ;; esac
   done
 
   case $previous in
@@ -14,30 +14,34 @@ _knotfit() {
     --refine) COMPREPLY=($(compgen -W "search insert" -- "$current")); return ;;
     --feature) COMPREPLY=($(compgen -W "hessian curvature" -- "$current")); return ;;
     --spacing) COMPREPLY=($(compgen -W "chord centripetal uniform" -- "$current")); return ;;
+    --corners) COMPREPLY=($(compgen -W "auto sharpest search" -- "$current")); return ;;
     --duplicates) COMPREPLY=($(compgen -W "fail mean lowest highest" -- "$current")); return ;;
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --points | --options | --knots-from | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
     --tol | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
       --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
-      --derivatives | --derivative) return ;;
+      --derivatives | --derivative | --omega | --samples) return ;;
   esac
 
   if [[ -z $command ]]; then
-    COMPREPLY=($(compgen -W "fit eval info convert methods formats --help --version" -- "$current"))
+    COMPREPLY=($(compgen -W "fit parameterize eval info convert methods formats --help --version" -- "$current"))
     return
   fi
   local input="--input-format --columns --nodata" output="-o --output --force"
+  local mesh="--largest-part --orient --drop-degenerate --corners --omega --fill-holes"
   case $command in
     fit)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
         --knots --knots-u --knots-v --knots-from --refine --feature --smoothing $input --height-field
-        --spacing --rescale-parameters --duplicates $output --cell --fill-holes --json --between --threads
-        --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes" ;;
+        --spacing --rescale-parameters --duplicates $mesh --new-parameters $output --samples --cell --json --between
+        --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
+        --no-orient --no-drop-degenerate --no-new-parameters" ;;
+    parameterize) options="$mesh --input-format $output --json --threads --quiet" ;;
     eval)
       options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $input $output
         --json --threads" ;;
     info) options="$input --json" ;;
-    convert) options="$input $output --cell --grid" ;;
+    convert) options="$input $output --samples --cell --grid" ;;
     methods | formats) options="--names --json" ;;
   esac
   if [[ $current == -* ]]; then

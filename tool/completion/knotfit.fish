@@ -1,10 +1,11 @@
 # fish completion for knotfit
 
-set -l commands fit eval info convert methods formats
+set -l commands fit parameterize eval info convert methods formats
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -f
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -l version -d 'Print the version'
 complete -c knotfit -s h -l help -d 'Print help'
-complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a fit -d 'Fit one B-spline surface to points or terrain'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a fit -d 'Fit one B-spline surface to points, a mesh or terrain'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a parameterize -d 'Give the vertices of a mesh parameters'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a eval -d 'Values, derivatives and differences of a surface'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a info -d 'What a surface or a data file holds'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a convert -d 'Write a surface or data in another format'
@@ -14,16 +15,17 @@ complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a formats -d
 set -l fit "__fish_seen_subcommand_from fit"
 set -l eval "__fish_seen_subcommand_from eval"
 set -l read "__fish_seen_subcommand_from fit eval info convert"
-set -l write "__fish_seen_subcommand_from fit eval convert"
+set -l mesh "__fish_seen_subcommand_from fit parameterize"
+set -l write "__fish_seen_subcommand_from fit parameterize eval convert"
 set -l list "__fish_seen_subcommand_from methods formats"
 
-complete -c knotfit -n $read -l input-format -x -a '(knotfit formats --names)' -d 'Format of the input'
+complete -c knotfit -n "__fish_seen_subcommand_from fit parameterize eval info convert" -l input-format -x -a '(knotfit formats --names)' -d 'Format of the input'
 complete -c knotfit -n $read -l columns -x -d 'What the columns are'
 complete -c knotfit -n $read -l nodata -x -d 'Value that stands for a hole'
 complete -c knotfit -n $write -s o -l output -r -d 'Output file, the format by its extension'
 complete -c knotfit -n $write -l force -d 'Replace output files that exist'
-complete -c knotfit -n "__fish_seen_subcommand_from fit eval info methods formats" -l json -d 'JSON on standard output'
-complete -c knotfit -n "__fish_seen_subcommand_from fit eval" -l threads -x -d 'Threads'
+complete -c knotfit -n "__fish_seen_subcommand_from fit parameterize eval info methods formats" -l json -d 'JSON on standard output'
+complete -c knotfit -n "__fish_seen_subcommand_from fit parameterize eval" -l threads -x -d 'Threads'
 complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cell -x -d 'Cell size of an .asc output'
 complete -c knotfit -n "__fish_seen_subcommand_from eval convert" -l grid -x -d 'Places over the domain, NxM'
 
@@ -46,13 +48,24 @@ complete -c knotfit -n $fit -l height-field -d 'Fit z over x, y'
 complete -c knotfit -n $fit -l spacing -x -a 'chord centripetal uniform' -d 'Parameters of rows'
 complete -c knotfit -n $fit -l rescale-parameters -d 'Map parameters to [0,1]'
 complete -c knotfit -n $fit -l duplicates -x -a 'fail mean lowest highest' -d 'Points with equal parameters'
-complete -c knotfit -n $fit -l fill-holes -d 'Heights where the input has holes'
+complete -c knotfit -n $mesh -l fill-holes -d 'Fill holes of a raster or a mesh'
+complete -c knotfit -n $mesh -l largest-part -d 'Keep the part of a mesh with the most area'
+complete -c knotfit -n $mesh -l orient -d 'Turn triangles against their neighbours'
+complete -c knotfit -n $mesh -l drop-degenerate -d 'Drop triangles of no area'
+complete -c knotfit -n $mesh -l corners -x -a 'auto sharpest search' -d 'Corners of the square'
+complete -c knotfit -n $mesh -l omega -x -d 'Weight of the normals in the map'
+complete -c knotfit -n $fit -l new-parameters -d 'Map a mesh anew that has parameters'
+complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l samples -x -d 'Samples a span of a mesh output'
 complete -c knotfit -n $fit -l between -x -a 'on off' -d 'Measure between the points'
-complete -c knotfit -n $fit -l quiet -d 'No progress and no summary'
+complete -c knotfit -n $mesh -l quiet -d 'No progress and no summary'
 complete -c knotfit -n $fit -l options -r -d 'Repeat stored options'
 complete -c knotfit -n $fit -l no-height-field -d 'Undo a stored option'
 complete -c knotfit -n $fit -l no-rescale-parameters -d 'Undo a stored option'
 complete -c knotfit -n $fit -l no-fill-holes -d 'Undo a stored option'
+complete -c knotfit -n $fit -l no-largest-part -d 'Undo a stored option'
+complete -c knotfit -n $fit -l no-orient -d 'Undo a stored option'
+complete -c knotfit -n $fit -l no-drop-degenerate -d 'Undo a stored option'
+complete -c knotfit -n $fit -l no-new-parameters -d 'Undo a stored option'
 
 complete -c knotfit -n $eval -l at -x -d 'One place, A,B'
 complete -c knotfit -n $eval -l points -r -d 'Places of a file'

@@ -1,0 +1,222 @@
+"""Meshes from outside: read, repaired, mapped, fitted and written."""
+
+import math
+import struct
+import unittest
+
+from harness import BAD, SAMPLES, SOURCE, ToolTest, wave
+
+MASK = SOURCE / "tests" / "data" / "mask.obj"
+
+
+class MeshTest(ToolTest):
+    def write_sheet(self, name="sheet.obj", n=12, hole=False, extra=""):
+        """A wavy sheet of n x n cells over [0,1]^2; a hole of two by two cells."""
+        lines = [f"v {i / n} {j / n} {0.3 * wave(i / n, j / n)}" for j in range(n + 1) for i in range(n + 1)]
+        for j in range(n):
+            for i in range(n):
+                if hole and 4 <= i < 6 and 4 <= j < 6:
+                    continue
+                a = j * (n + 1) + i + 1
+                lines.append(f"f {a} {a + 1} {a + n + 2} {a + n + 1}")
+        return self.write(name, "\n".join(lines) + "\n" + extra)
+
+    def rows(self, name):
+        lines = (self.folder / name).read_text().split()
+        return lines[0], [[float(x) for x in line.split(",")] for line in lines[1:]]
+
+
+class Info(MeshTest):
+    def test_of_a_mesh(self):
+        self.write_sheet()
+        info = self.run_json("info", "sheet.obj")
+        self.assertEqual((info["content"], info["format"], info["points"]), ("mesh", "obj", 169))
+        self.assertEqual((info["triangles"], info["parts"], info["boundary_loops"]), (288, 1, 1))
+        self.assertEqual((info["disk"], info["problem"]), (True, None))
+        self.assertIn("disk: yes", self.run_tool("info", "sheet.obj").stdout)
+
+    def test_says_why_a_mesh_is_no_disk(self):
+        info = self.run_json("info", BAD / "bad_two_loops.obj")
+        self.assertFalse(info["disk"])
+        self.assertIn("--fill-holes", info["problem"])
+        self.assertIn("disk: no: the mesh has 2 boundary loops", self.run_tool("info", BAD / "bad_two_loops.obj").stdout)
+
+
+class BadMeshes(MeshTest):
+    """Every bad mesh: its own message, status 2, no output."""
+
+    WORDS = {
+        "bad_two_parts.obj": ["2 parts", "98, 50 faces", "--largest-part"],
+        "bad_nonmanifold.obj": ["vertices 28 and 29", "3 faces", "line 164"],
+        "bad_bowtie.off": ["vertex 35", "non-manifold"],
+        "bad_two_loops.obj": ["32, 8 edges", "--fill-holes"],
+        "bad_misoriented.ply": ["face 40", "line 114", "--orient"],
+        "bad_degenerate.off": ["vertices 14 and 15", "--drop-degenerate"],
+        "bad_truncated.ply": ["144 vertices", "byte 1378, inside vertex 100"],
+        "bad_ply_huge.ply": ["4000000000 vertices", "48 bytes"],
+        "bad_not_a_mesh.stl": ["PNG"],
+        "bad_stl_count.stl": ["3000000000 triangles"],
+        "bad_face_index.obj": [":36: ", "vertex 26"],
+    }
+
+    def test_are_refused_by_fit_and_parameterize(self):
+        for name, words in self.WORDS.items():
+            with self.subTest(name):
+                for command in ("fit", "parameterize"):
+                    message = self.refused(command, BAD / name, "-o", "out.csv", words=[name, *words])
+                    self.assertLess(len(message), 500)
+                self.assertEqual(self.files(), [])
+
+    def test_what_the_message_names_mends_them(self):
+        for name, option in (("bad_two_parts.obj", "--largest-part"), ("bad_bowtie.off", "--largest-part"),
+                             ("bad_two_loops.obj", "--fill-holes"), ("bad_misoriented.ply", "--orient"),
+                             ("bad_degenerate.off", "--drop-degenerate")):
+            with self.subTest(name):
+                report = self.run_json("parameterize", BAD / name, option)
+                self.assertEqual(report["map"]["flipped"], 0)
+
+
+class Parameterize(MeshTest):
+    def test_gives_every_vertex_parameters(self):
+        self.write_sheet()
+        report = self.run_json("parameterize", "sheet.obj", "-o", "uv.csv", "-o", "uv.obj", "-o", "uv.ply")
+        self.assertEqual(report["map"]["flipped"], 0)
+        self.assertLess(report["map"]["stretch"], 1.5)
+        header, rows = self.rows("uv.csv")
+        self.assertEqual((header, len(rows)), ("x,y,z,u,v", 169))
+        for column in (3, 4):
+            self.assertEqual((min(r[column] for r in rows), max(r[column] for r in rows)), (0, 1))
+        for name in ("uv.obj", "uv.ply"):
+            info = self.run_json("info", name)
+            self.assertEqual((info["triangles"], info["ranges"]["u"], info["ranges"]["v"]), (288, [0, 1], [0, 1]))
+        # A mesh with parameters is fitted at them, like the points.
+        by_mesh = self.run_json("fit", "uv.obj", "--control-points", "6")
+        by_points = self.run_json("fit", "uv.csv", "--control-points", "6")
+        self.assertEqual(by_mesh["error"]["rms"], by_points["error"]["rms"])
+        self.assertIsNone(by_mesh["input"]["mesh"]["map"])
+
+    def test_takes_corners_by_number_and_by_place(self):
+        self.write_sheet()
+        numbers = self.run_json("parameterize", "sheet.obj", "--corners", "1,13,169,157", "-o", "a.csv")
+        places = self.run_json("parameterize", "sheet.obj", "--corners", "0,0,0;1,0,0;1,1,0;0,1,0", "-o", "b.csv")
+        self.assertEqual(numbers["map"]["corners"], [1, 13, 169, 157])
+        self.assertEqual(places["map"]["corners"], [1, 13, 169, 157])
+        self.assertEqual((self.folder / "a.csv").read_text(), (self.folder / "b.csv").read_text())
+        _, rows = self.rows("a.csv")
+        self.assertEqual([rows[k][3:] for k in (0, 12, 168, 156)], [[0, 0], [1, 0], [1, 1], [0, 1]])
+
+    def test_refuses_corners_that_are_none(self):
+        self.write_sheet()
+        self.refused("parameterize", "sheet.obj", "--corners", "1,2,3", words=["--corners", "four vertices"])
+        self.refused("parameterize", "sheet.obj", "--corners", "1,13,169,999", words=["there is no vertex 999"])
+        self.refused("parameterize", "sheet.obj", "--corners", "roundest", words=["--corners"])
+
+    def test_refuses_what_is_no_mesh_and_other_outputs(self):
+        self.write_points()
+        self.refused("parameterize", "points.csv", words=["points.csv: holds no mesh"])
+        self.write_sheet()
+        for name in ("a.json", "a.vts", "a.png"):
+            self.refused("parameterize", "sheet.obj", "-o", name, words=[name, ".csv, .obj or .ply"])
+        self.assertEqual(self.files(), ["points.csv", "sheet.obj"])
+
+
+class Fit(MeshTest):
+    def test_of_a_mesh(self):
+        report = self.run_json("fit", MASK, "--control-points", "20", "-o", "mask.json", "-o", "r.csv")
+        mesh = report["input"]["mesh"]
+        self.assertEqual((mesh["vertices"], mesh["triangles"], mesh["map"]["flipped"]), (1590, 3000, 0))
+        # The trial fit of the map is this one: uniform knots would give its error, better ones less.
+        self.assertLess(report["error"]["rms"] / report["input"]["diagonal"], 1.3e-3)
+        self.assertEqual(len(self.rows("r.csv")[1]), 1590)
+        text = self.run_tool("fit", MASK, "--control-points", "8").stdout
+        for word in ("mesh: 1590 vertices", "map: L2 stretch", "0 flipped", "corners: vertices", "counted from 1"):
+            self.assertIn(word, text)
+
+    def test_holes_are_filled_and_are_no_data(self):
+        self.write_sheet(hole=True)
+        self.refused("fit", "sheet.obj", words=["--fill-holes"])
+        report = self.run_json("fit", "sheet.obj", "--fill-holes", "--control-points", "6", "-o", "s.json")
+        self.assertEqual(report["input"]["mesh"]["filled_holes"], 1)
+        self.assertEqual(report["input"]["points"], 168)  # the vertex inside the hole is used by no face
+        again = self.run_json("fit", "sheet.obj", "--options", "s.json")
+        self.assertEqual(again["error"], report["error"])
+        self.refused("fit", "sheet.obj", "--options", "s.json", "--no-fill-holes", words=["--fill-holes"])
+
+    def test_as_a_height_field(self):
+        self.write_sheet()
+        report = self.run_json("fit", "sheet.obj", "--height-field", "--tol", "1%")
+        self.assertTrue(report["reached"])
+        self.assertTrue(report["input"]["height_field"])
+
+    def test_new_parameters_in_place_of_those_of_the_file(self):
+        self.write_sheet()
+        self.run_tool("parameterize", "sheet.obj", "--corners", "2,13,169,157", "-o", "uv.ply")
+        given = self.run_json("fit", "uv.ply", "--control-points", "6")
+        new = self.run_json("fit", "uv.ply", "--control-points", "6", "--new-parameters")
+        self.assertIsNone(given["input"]["mesh"]["map"])
+        self.assertEqual(new["input"]["mesh"]["map"]["flipped"], 0)
+
+
+class Outputs(MeshTest):
+    def test_surfaces_as_meshes(self):
+        self.write_points()
+        report = self.run_json("fit", "points.csv", "--control-points", "7x6", "-o", "s.json", "-o", "s.obj", "-o",
+                               "s.ply", "-o", "s.vts", "--samples", "3")
+        self.assertEqual(report["outputs"], ["s.json", "s.obj", "s.ply", "s.vts"])
+        # 4 x 3 spans of 3 samples.
+        for name in ("s.obj", "s.ply"):
+            info = self.run_json("info", name)
+            self.assertEqual((info["points"], info["triangles"], info["disk"]), (13 * 10, 2 * 12 * 9, True))
+            self.assertEqual(info["ranges"]["u"], [0, 1])
+        grid = (self.folder / "s.vts").read_text()
+        self.assertIn('WholeExtent="0 12 0 9 0 0"', grid)
+        for name in ("error", "normal", "mean_curvature", "gaussian_curvature"):
+            self.assertIn(f'Name="{name}"', grid)
+        # The same surface later, without errors.
+        self.run_tool("convert", "s.json", "-o", "t.obj", "-o", "t.ply", "-o", "t.vts", "--samples", "3")
+        self.assertEqual((self.folder / "s.obj").read_text(), (self.folder / "t.obj").read_text())
+        self.assertNotIn('Name="error"', (self.folder / "t.vts").read_text())
+
+    def test_the_largest_error_is_in_the_mesh(self):
+        self.write_points()
+        report = self.run_json("fit", "points.csv", "--control-points", "5", "-o", "s.ply")
+        data = (self.folder / "s.ply").read_bytes()
+        header, body = data.split(b"end_header\n")
+        names = [line.split()[2].decode() for line in header.splitlines() if line.startswith(b"property double")]
+        count = int(next(line for line in header.splitlines() if line.startswith(b"element vertex")).split()[2])
+        rows = list(struct.iter_unpack(f"<{len(names)}d", body[:8 * len(names) * count]))
+        errors = [row[names.index("error")] for row in rows]
+        self.assertEqual(max(e for e in errors if not math.isnan(e)), report["error"]["max"])
+
+    def test_height_fields_stand_in_space(self):
+        self.write_raster()
+        self.run_tool("fit", "terrain.asc", "--control-points", "6", "-o", "s.obj")
+        ranges = self.run_json("info", "s.obj")["ranges"]
+        self.assertEqual((ranges["x"], ranges["y"]), ([11, 69], [21.5, 78.5]))
+
+    def test_meshes_become_other_meshes_and_tables(self):
+        self.write_sheet()
+        self.run_tool("convert", "sheet.obj", "-o", "a.ply", "-o", "a.csv")
+        self.run_tool("convert", "a.ply", "-o", "b.obj")
+        self.assertEqual(self.run_json("info", "b.obj")["triangles"], 288)
+        self.assertEqual(len(self.rows("a.csv")[1]), 169)
+        self.refused("convert", "sheet.obj", "-o", "a.vts", words=["a .vts holds a fitted surface"])
+        self.refused("convert", "a.csv", "-o", "c.ply", words=["a .ply holds a mesh or a surface"])
+        self.assertEqual(self.files(), ["a.csv", "a.ply", "b.obj", "sheet.obj"])
+
+    def test_a_mesh_has_places_to_check_a_surface_at(self):
+        self.write_sheet()
+        self.run_tool("parameterize", "sheet.obj", "-o", "uv.obj")
+        self.run_tool("fit", "uv.obj", "--tol", "1%", "-o", "s.json")
+        summary = self.run_tool("eval", "s.json", "--points", "uv.obj", "--json").stdout
+        self.assertIn('"rows"', summary)
+
+
+class Samples(MeshTest):
+    def test_the_face_is_a_disk(self):
+        info = self.run_json("info", SAMPLES / "face.obj")
+        self.assertEqual((info["points"], info["triangles"], info["disk"]), (17157, 34144, True))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,156 @@
+#include "mesh_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "data/mesh_topology.h"
+#include "knotfit/errors.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The number a vertex of a repaired mesh has in its file.
+Index number_in_file(const Mesh& mesh, Index vertex) {
+  const Index source = mesh.vertex_source.empty() ? vertex : mesh.vertex_source[vertex];
+  return source + mesh.counted_from;
+}
+
+Index vertex_of_number(const Mesh& mesh, Index number) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (number_in_file(mesh, v) == number) return v;
+  throw InvalidInput(fmt::format("--corners: there is no vertex {} (counted from {}) in the mesh{}", number,
+                                 mesh.counted_from, mesh.vertex_source.empty() ? "" : " after its repair"));
+}
+
+Index border_vertex_nearest(const Mesh& mesh, const std::array<double, 3>& place) {
+  const MeshTopology topology(mesh);
+  Index best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const BoundaryLoop& loop : topology.loops())
+    for (const std::int32_t h : loop.half_edges) {
+      const Index v = topology.from(h);
+      const double* p = mesh.vertex(v);
+      const double d = std::hypot(p[0] - place[0], p[1] - place[1], p[2] - place[2]);
+      if (d < least) least = d, best = v;
+    }
+  return best;
+}
+
+MeshMapOptions map_options(const Mesh& mesh, const FitChoices& choices) {
+  MeshMapOptions options;
+  options.omega = choices.omega.value_or(-1);
+  const CornerChoice corners = parse_corners(choices.corners.value_or("auto"));
+  options.corners = corners.rule;
+  if (!corners.vertices.empty()) {
+    options.corner_vertices.emplace();
+    for (std::size_t k = 0; k < 4; ++k)
+      (*options.corner_vertices)[k] = vertex_of_number(mesh, corners.vertices[k]);
+  } else if (!corners.places.empty()) {
+    options.corner_vertices.emplace();
+    for (std::size_t k = 0; k < 4; ++k)
+      (*options.corner_vertices)[k] = border_vertex_nearest(mesh, corners.places[k]);
+  }
+  return options;
+}
+
+}  // namespace
+
+MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices) {
+  RepairedMesh repaired = repair(mesh, {.largest_part = choices.largest_part.value_or(false),
+                                        .fill_holes = choices.fill_holes.value_or(false),
+                                        .orient = choices.orient.value_or(false),
+                                        .drop_degenerate = choices.drop_degenerate.value_or(false)});
+  return {.mesh = std::move(repaired.mesh), .repaired = repaired.summary, .map = std::nullopt};
+}
+
+MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control) {
+  MappedMesh mapped = repaired_mesh(mesh, choices);
+  if (!mapped.mesh.uv.empty() && !choices.new_parameters.value_or(false)) return mapped;
+  require_disk(mapped.mesh);
+  mapped.map = parameterize_mesh(mapped.mesh, map_options(mapped.mesh, choices), control);
+  return mapped;
+}
+
+PointTable table_of(const Mesh& mesh) {
+  std::vector<char> real(static_cast<std::size_t>(mesh.vertex_count()), 1);
+  if (!mesh.virtual_face.empty()) {
+    std::fill(real.begin(), real.end(), 0);
+    for (Index f = 0; f < mesh.face_count(); ++f)
+      for (const std::int32_t v : mesh.faces[f]) real[v] |= static_cast<char>(!mesh.virtual_face[f]);
+  }
+  PointTable table;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (!real[v]) continue;
+    table.x.push_back(mesh.vertex(v)[0]);
+    table.y.push_back(mesh.vertex(v)[1]);
+    table.z.push_back(mesh.vertex(v)[2]);
+    if (!mesh.uv.empty()) {
+      table.u.push_back(mesh.uv[2 * v]);
+      table.v.push_back(mesh.uv[2 * v + 1]);
+    }
+    table.line.push_back(mesh.vertex_line.empty() ? number_in_file(mesh, v) + 1 - mesh.counted_from
+                                                  : mesh.vertex_line[v]);
+  }
+  return table;
+}
+
+std::string mesh_to_text(const MappedMesh& mapped) {
+  const RepairSummary& r = mapped.repaired;
+  std::string text =
+      fmt::format("mesh: {} vertices, {} triangles", mapped.mesh.vertex_count(), mapped.mesh.face_count());
+  const std::pair<Index, const char*> counts[] = {{r.dropped_parts, "parts dropped"},
+                                                  {r.dropped_faces, "triangles dropped"},
+                                                  {r.turned_faces, "triangles turned"},
+                                                  {r.filled_holes, "holes filled"},
+                                                  {r.dropped_vertices, "vertices dropped"}};
+  for (const auto& [count, what] : counts)
+    if (count > 0) text += fmt::format(", {} {}", count, what);
+  text += "\n";
+  if (!mapped.map) return text;
+  const MeshMap& map = *mapped.map;
+  const MapQuality& q = map.quality;
+  text += fmt::format(
+      "map: L2 stretch {:.4g} ({:.4g} on a rectangle {:.3g} : 1), worst angle {:.3g} degrees, {} flipped; "
+      "normals "
+      "weighted {:g}\n",
+      q.stretch, q.aspect_free_stretch, q.aspect, q.worst_angle, q.flipped, map.omega);
+  return text + fmt::format("corners: vertices {}, {}, {}, {} (counted from {})\n",
+                            number_in_file(mapped.mesh, map.corners[0]),
+                            number_in_file(mapped.mesh, map.corners[1]),
+                            number_in_file(mapped.mesh, map.corners[2]),
+                            number_in_file(mapped.mesh, map.corners[3]), mapped.mesh.counted_from);
+}
+
+std::string mesh_to_json(const MappedMesh& mapped) {
+  const RepairSummary& r = mapped.repaired;
+  Json j = {{"vertices", mapped.mesh.vertex_count()}, {"triangles", mapped.mesh.face_count()},
+            {"dropped_parts", r.dropped_parts},       {"dropped_faces", r.dropped_faces},
+            {"turned_faces", r.turned_faces},         {"filled_holes", r.filled_holes},
+            {"dropped_vertices", r.dropped_vertices}, {"map", nullptr}};
+  if (mapped.map) {
+    const MeshMap& map = *mapped.map;
+    Json corners = Json::array();
+    for (const Index v : map.corners) corners.push_back(number_in_file(mapped.mesh, v));
+    const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+    j["map"] = {{"corners", corners},
+                {"counted_from", mapped.mesh.counted_from},
+                {"omega", number(map.omega)},
+                {"stretch", number(map.quality.stretch)},
+                {"aspect_free_stretch", number(map.quality.aspect_free_stretch)},
+                {"aspect", number(map.quality.aspect)},
+                {"worst_angle", number(map.quality.worst_angle)},
+                {"flipped", map.quality.flipped},
+                {"trial_error", number(map.trial_error)},
+                {"trial_distance", number(map.trial_distance)},
+                {"stopped", map.stopped}};
+  }
+  return j.dump();
+}
+
+}  // namespace knotfit::tool

@@ -1,0 +1,35 @@
+// Meshes on their way to points with parameters: repaired, checked, mapped.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "knotfit/control.h"
+#include "knotfit/mesh.h"
+#include "knotfit/parameterize_mesh.h"
+#include "knotfit/source_data.h"
+#include "options.h"
+namespace knotfit::tool {
+
+/// A mesh as it was mapped.
+struct MappedMesh {
+  Mesh mesh;  ///< repaired
+  RepairSummary repaired;
+  std::optional<MeshMap> map;  ///< absent: the parameters of the file are used, or none are needed
+};
+
+/// Repairs the mesh as asked.
+MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices);
+
+/// Repairs the mesh, and maps it unless it has parameters and they are wanted.
+/// \throws InvalidInput  no disk, corners that are none
+MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control);
+
+/// Vertices as points, with the parameters of the file where it has some; those that only close holes are
+/// left out.
+PointTable table_of(const Mesh& mesh);
+
+/// What a report says of the map, as sentences and as the text of a JSON object.
+std::string mesh_to_text(const MappedMesh& mapped);
+std::string mesh_to_json(const MappedMesh& mapped);
+
+}  // namespace knotfit::tool

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "exit_status.h"
+#include "input.h"
+#include "knotfit/errors.h"
+#include "knotfit/threads.h"
+#include "mesh_input.h"
+#include "mesh_outputs.h"
+#include "options_json.h"
+#include "outputs.h"
+#include "sampling.h"
+#include "signals.h"
+#include "terminal_progress.h"
+namespace knotfit::tool {
+namespace {
+
+std::string vertices_csv(const Mesh& mesh) {
+  PointTable points = table_of(mesh);
+  Table table;
+  table.add("x", std::move(points.x));
+  table.add("y", std::move(points.y));
+  table.add("z", std::move(points.z));
+  table.add("u", std::move(points.u));
+  table.add("v", std::move(points.v));
+  return to_csv(table);
+}
+
+void check_outputs(const std::vector<OutputFile>& files) {
+  for (const OutputFile& file : files)
+    if ((file.kind != OutputKind::table && file.kind != OutputKind::mesh) || file.extension == ".vts")
+      throw InvalidInput(fmt::format("{}: a mesh with parameters becomes .csv, .obj or .ply", file.path));
+}
+
+}  // namespace
+
+int run_parameterize(const ParameterizeArguments& arguments) {
+  const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  check_outputs(files);
+  StopOnSignal stop;  // before the library's threads
+  set_thread_count(arguments.threads);
+  TerminalProgress terminal(!arguments.quiet, 0);
+  terminal.report({.stage = "read"});
+  const SourceData data = read_input(arguments.input, arguments.choices.input);
+  const Mesh* mesh = std::get_if<Mesh>(&data.content);
+  if (mesh == nullptr)
+    throw InvalidInput(arguments.input + ": holds no mesh; parameterize maps meshes (.ply .obj .off .stl)");
+  Control control;
+  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
+  control.stop = stop.token();
+  FitChoices choices = arguments.choices;
+  choices.new_parameters = true;
+  MappedMesh mapped;
+  try {
+    mapped = map_mesh(*mesh, choices, control);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(arguments.input + ": " + e.what());
+  }
+  mapped.mesh.uv = mapped.map->uv;
+  for (const OutputFile& file : files) {
+    if (file.kind == OutputKind::table)
+      write_text_file(file.path, arguments.output.force, vertices_csv(mapped.mesh));
+    else
+      write_mesh_file(file, arguments.output.force, mapped.mesh);
+  }
+  terminal.clear();
+  if (arguments.json) {
+    nlohmann::ordered_json j = nlohmann::ordered_json::parse(mesh_to_json(mapped));
+    j["outputs"] = arguments.output.paths;
+    print(j.dump() + "\n");
+  } else if (!arguments.quiet) {
+    std::string text = mesh_to_text(mapped);
+    for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
+    print(text);
+  }
+  return mapped.map->stopped ? kStopped : kReached;
+}
+
+}  // namespace knotfit::tool
