@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <IGESControl_Reader.hxx>
-#include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_Check.hxx>
 #include <STEPControl_Reader.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "formats/cad/occt.h"
@@ -11,12 +12,26 @@
 namespace knotfit::cad {
 namespace {
 
+/// OpenCASCADE translates what it could not load as if it had: references lead nowhere, and it crashes.
+/// \throws FileError  an entity that could not be loaded; names it and says why
+void check_loaded(const Handle(Interface_InterfaceModel) & model, const std::string& path) {
+  for (int k = 1; k <= model->NbEntities(); ++k) {
+    const Handle(Interface_Check)& check = model->Check(k, true);
+    if (!check->HasFailed() && !model->IsErrorEntity(k)) continue;
+    const Handle(Standard_Transient)& entity = model->Value(k);
+    throw FileError(path, fmt::format("entity {} ({}) is damaged: {}",
+                                      model->StringLabel(entity)->ToCString(), model->TypeName(entity, false),
+                                      check->NbFails() > 0 ? check->CFail(1) : "it could not be read"));
+  }
+}
+
 template <class Reader>
 void read_with(const std::string& file, const std::string& path, const char* name, TopoDS_Shape& shape) {
   Reader reader;
   const IFSelect_ReturnStatus status = reader.ReadFile(file.c_str());
   if (status != IFSelect_RetDone)
     throw FileError(path, fmt::format("OpenCASCADE cannot read it as {}", name));
+  check_loaded(reader.Model(), path);
   reader.TransferRoots();
   if (reader.NbShapes() == 0) throw FileError(path, "holds no B-spline surface: no shape at all");
   shape = reader.OneShape();

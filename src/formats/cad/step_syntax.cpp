@@ -1,0 +1,187 @@
+#include "formats/cad/step_syntax.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formats/number.h"
+#include "knotfit/errors.h"
+#include "knotfit/index.h"
+namespace knotfit::cad {
+namespace {
+
+constexpr std::string_view kFirst = "ISO-10303-21;", kLast = "END-ISO-10303-21;";
+constexpr double kLargest = 1e30;  ///< of any number: what squares and products of it may still hold
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_word(char c) {
+  return is_digit(c) || c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+struct Place {
+  Index id = 0;
+  long long line = 0;
+  bool operator<(const Place& other) const { return id < other.id; }
+};
+
+class Scanner {
+ public:
+  Scanner(std::string_view text, const std::string& path)
+      : p_(text.data()), end_(text.data() + text.size()), path_(path) {}
+
+  void run() {
+    while (pass_blanks()) {
+      const std::string_view word = keyword();
+      if (word == "DATA") {
+        pass_statement();
+        data_section();
+      } else {
+        pass_statement();
+      }
+    }
+    check_references();
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw FileError(path_, line_, what); }
+
+  /// Blanks and comments. \return whether something follows
+  bool pass_blanks() {
+    while (p_ < end_) {
+      if (*p_ == '\n') {
+        ++line_;
+      } else if (*p_ == '/' && end_ - p_ > 1 && p_[1] == '*') {
+        const std::size_t close = std::string_view(p_ + 2, end_).find("*/");
+        if (close == std::string_view::npos) fail("a comment has no end");
+        line_ += std::count(p_, p_ + 2 + close, '\n');
+        p_ += close + 3;
+      } else if (*p_ != ' ' && *p_ != '\t' && *p_ != '\r' && *p_ != '\f') {
+        return true;
+      }
+      ++p_;
+    }
+    return false;
+  }
+  std::string_view keyword() {
+    const char* const begin = p_;
+    if (p_ < end_ && *p_ == '!') ++p_;  // of the user's own
+    while (p_ < end_ && (is_word(*p_) || *p_ == '-')) ++p_;
+    return {begin, p_};
+  }
+  void pass_string() {
+    const long long begin = line_;
+    for (++p_; p_ < end_ && *p_ != '\''; ++p_)
+      if (*p_ == '\n') ++line_;
+    if (p_ == end_) throw FileError(path_, begin, "a string has no end");
+    ++p_;
+  }
+  /// To the semicolon, whatever stands before.
+  void pass_statement() {
+    while (pass_blanks()) {
+      if (*p_ == '\'') {
+        pass_string();
+      } else if (*p_++ == ';') {
+        return;
+      }
+    }
+    fail("a statement has no end");
+  }
+
+  Index reference() {
+    const char* const begin = ++p_;
+    while (p_ < end_ && is_digit(*p_)) ++p_;
+    const Index id = parse_count({begin, p_});
+    if (id < 0) fail("# without a number");
+    return id;
+  }
+  void pass_number() {
+    const char* const begin = p_;
+    while (p_ < end_ && (is_word(*p_) || *p_ == '.' || *p_ == '+' || *p_ == '-')) ++p_;
+    const std::string_view token(begin, p_);
+    const ParsedNumber number = parse_number(token);
+    if (number.status == NumberStatus::not_a_number) fail(in_quotes(token) + " is no number");
+    if (number.status == NumberStatus::too_large || !(std::abs(number.value) <= kLargest))
+      fail(in_quotes(token) + " is larger than any length or count may be");
+  }
+  /// What stands between a pair of brackets, the first one at hand.
+  void parameters() {
+    int depth = 0;
+    do {
+      if (!pass_blanks()) fail("a bracket is not closed");
+      const char c = *p_;
+      if (c == '\'') {
+        pass_string();
+      } else if (c == '#') {
+        const long long line = line_;
+        used_.push_back({reference(), line});
+      } else if (is_digit(c) || c == '-' || c == '+') {
+        pass_number();
+      } else if (c == '"') {  // binary
+        do ++p_;
+        while (p_ < end_ && *p_ != '"');
+        if (p_ < end_) ++p_;
+      } else if (is_word(c) || c == '!') {
+        keyword();
+      } else if (c == '(' || c == ')') {
+        depth += c == '(' ? 1 : -1;
+        ++p_;
+      } else if (c == ',' || c == '.' || c == '$' || c == '*') {
+        ++p_;
+      } else {
+        fail(fmt::format("{} is out of place", in_quotes({p_, 1})));
+      }
+    } while (depth > 0);
+  }
+  void data_section() {
+    while (pass_blanks()) {
+      if (*p_ != '#') {
+        const std::string_view word = keyword();
+        if (word != "ENDSEC") fail("an entity begins with # and its number");
+        pass_statement();
+        return;
+      }
+      const long long line = line_;
+      defined_.push_back({reference(), line});
+      if (!pass_blanks() || *p_++ != '=') fail("= is missing behind an entity's number");
+      if (pass_blanks() && *p_ != '(' && keyword().empty()) fail("an entity has no type");
+      if (!pass_blanks() || *p_ != '(') fail("an entity has no parameters");
+      parameters();
+      if (!pass_blanks() || *p_++ != ';') fail("; is missing behind an entity");
+    }
+    fail("the DATA section has no end");
+  }
+  void check_references() {
+    std::sort(defined_.begin(), defined_.end());
+    for (std::size_t k = 1; k < defined_.size(); ++k)
+      if (defined_[k].id == defined_[k - 1].id)
+        throw FileError(path_, std::max(defined_[k].line, defined_[k - 1].line),
+                        fmt::format("entity #{} is there twice", defined_[k].id));
+    for (const Place& use : used_)
+      if (!std::binary_search(defined_.begin(), defined_.end(), use))
+        throw FileError(path_, use.line, fmt::format("entity #{} is not there", use.id));
+  }
+
+  const char* p_;
+  const char* end_;
+  const std::string& path_;
+  long long line_ = 1;
+  std::vector<Place> defined_, used_;
+};
+
+}  // namespace
+
+bool looks_like_step(std::string_view bytes) {
+  return bytes.substr(0, 1024).find(kFirst) != std::string_view::npos;
+}
+
+void check_step(std::string_view bytes, const std::string& path) {
+  if (!bytes.ends_with(kLast))
+    throw FileError(path, fmt::format("the STEP file is cut off: it does not end with {}", kLast));
+  Scanner(bytes, path).run();
+}
+
+}  // namespace knotfit::cad
