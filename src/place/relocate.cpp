@@ -74,22 +74,31 @@ double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
 }
 
 double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg) {
+  constexpr std::size_t kPairs = 3;  // nearest pairs of distinct knots tried in a direction
   for (bool along_v : {false, true}) {
     const int degree = along_v ? problem.degree_v() : problem.degree_u();
-    for (std::size_t i = 0; i + 1 < line(knots, along_v).size(); ++i) {
-      const auto& k = line(knots, along_v);
-      const double mean_span = 1.0 / static_cast<double>(k.size() + 1);
-      if (k[i] == k[i + 1] || k[i + 1] - k[i] > 0.05 * mean_span) continue;
-      InteriorKnots trial = knots;
-      auto& t = line(trial, along_v);
-      const double low = t[i], high = t[i + 1], tied = (low + high) / 2;
-      for (double& x : t)
-        if (x == low || x == high) x = tied;  // doubles may tie into triples
-      if (std::count(t.begin(), t.end(), tied) > degree) continue;
-      const double after = minimize_over_knots(problem, trial, levenberg);
-      if (after < phi) {
-        phi = after;
-        knots = trial;
+    for (bool tied = true; tied && !(levenberg.stop && levenberg.stop());) {
+      tied = false;
+      const std::vector<double> k = line(knots, along_v);
+      const double near = 0.5 / static_cast<double>(k.size() + 1);
+      std::vector<std::pair<double, std::size_t>> pairs;
+      for (std::size_t i = 0; i + 1 < k.size(); ++i)
+        if (k[i] < k[i + 1] && k[i + 1] - k[i] < near) pairs.push_back({k[i + 1] - k[i], i});
+      std::sort(pairs.begin(), pairs.end());
+      pairs.resize(std::min(pairs.size(), kPairs));
+      for (const auto& [distance, i] : pairs) {
+        InteriorKnots trial = knots;
+        auto& t = line(trial, along_v);
+        const double low = k[i], high = k[i + 1], middle = (low + high) / 2;
+        for (double& x : t)
+          if (x == low || x == high) x = middle;  // doubles may tie into triples
+        if (std::count(t.begin(), t.end(), middle) > degree) continue;
+        if (const double after = minimize_over_knots(problem, trial, levenberg); after < phi) {
+          phi = after;
+          knots = trial;
+          tied = true;
+          break;
+        }
       }
     }
   }

@@ -17,8 +17,8 @@ std::vector<double> knot_losses(FitProblem& problem, const InteriorKnots& knots,
 double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
                       const LevenbergOptions& levenberg, const RelocationOptions& options = {});
 
-/// Ties knots that ended at the least distance into multiple ones, one unknown each, where that lowers
-/// phi: the data has a crease or a jump there. \return phi
+/// Ties the nearest knots into multiple ones, one unknown each, where that lowers phi: the data has a crease or
+/// a jump there. \return phi
 double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg);
 
 /// Adds knots at the greatest gain or drops those of least loss, `steps` Levenberg-Marquardt steps after

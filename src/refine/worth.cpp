@@ -35,27 +35,39 @@ KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const To
   FitProblem problem(points, data.degree_u(), data.degree_v(), fit);
   const int few =
       std::min(kProbeSpans, std::max(2, static_cast<int>(std::sqrt(static_cast<double>(points.size()))) / 4));
-  problem.solve({uniform_knots(few - 1), uniform_knots(few - 1)});
-  const double uniform = problem.rms();
-  InteriorKnots knots{equal_shares(fine.breaks_u(), fine.mass_u, few - 1),
-                      equal_shares(fine.breaks_v(), fine.mass_v, few - 1)};
-  widen_spans(knots.u, 0.01);
-  widen_spans(knots.v, 0.01);
-  LevenbergOptions levenberg;
-  levenberg.steps = kProbeSteps;
-  minimize_over_knots(problem, knots, levenberg);
-  const double optimised = std::min(problem.rms(), uniform);
-  problem.solve({uniform_knots(2 * few - 1), uniform_knots(2 * few - 1)});
-  const double finer = problem.rms(), error = problem.measured(tolerance);
-
+  // RMS and the error that counts at n spans a direction, on uniform and on optimised knots.
+  struct Probe {
+    double uniform = 0, optimised = 0, error = 0;
+  };
+  auto probe = [&](int n) {
+    Probe p;
+    problem.solve({uniform_knots(n - 1), uniform_knots(n - 1)});
+    p.uniform = problem.rms();
+    p.error = problem.measured(tolerance);
+    InteriorKnots knots{equal_shares(fine.breaks_u(), fine.mass_u, n - 1),
+                        equal_shares(fine.breaks_v(), fine.mass_v, n - 1)};
+    widen_spans(knots.u, 0.01);
+    widen_spans(knots.v, 0.01);
+    LevenbergOptions levenberg;
+    levenberg.steps = kProbeSteps;
+    minimize_over_knots(problem, knots, levenberg);
+    p.optimised = std::min(problem.rms(), p.uniform);
+    if (problem.rms() < p.uniform) p.error = problem.measured(tolerance);
+    return p;
+  };
+  const Probe coarse = probe(few), fine_probe = probe(2 * few);
   const double most = std::min(data.degree_u(), data.degree_v()) + 1;
+  auto order = [&](double before, double after) {
+    return after > 0 ? std::clamp(std::log2(before / after), 0.3, most) : most;
+  };
   KnotWorth worth;
-  if (!(uniform > 0) || !std::isfinite(uniform)) return worth;  // exact already: nothing to save
-  const double order = finer > 0 ? std::clamp(std::log2(uniform / finer), 0.3, most) : most;
-  worth.saving = optimised > 0 ? 1 - std::pow(optimised / uniform, 2 / order) : 1;
+  if (!(fine_probe.uniform > 0) || !std::isfinite(fine_probe.uniform))
+    return worth;  // exact: nothing to save
+  worth.saving =
+      1 - std::pow(fine_probe.optimised / fine_probe.uniform, 2 / order(coarse.uniform, fine_probe.uniform));
   const double size = (2.0 * few + data.degree_u()) * (2.0 * few + data.degree_v());
-  worth.control_points =
-      (1 - worth.saving) * size * std::pow(std::max(error, 1e-300) / tolerance.value, 2 / order);
+  worth.control_points = size * std::pow(std::max(fine_probe.error, 1e-300) / tolerance.value,
+                                         2 / order(coarse.optimised, fine_probe.optimised));
   return worth;
 }
 

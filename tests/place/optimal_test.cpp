@@ -1,0 +1,172 @@
+// Knots that minimise the fitting error itself [METHOD 3].
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/problem.h"
+#include "knotfit/evaluate.h"
+#include "knotfit/place.h"
+#include "knotfit/threads.h"
+#include "place/relocate.h"
+#include "support/synthetic.h"
+namespace knotfit::test {
+namespace {
+
+LeastSquaresOptions for_knots() {
+  LeastSquaresOptions options;
+  options.refinement_steps = 0;
+  options.use_grid = false;
+  options.estimate_condition = false;
+  return options;
+}
+
+double rms_of(const ParameterizedPoints& points, const InteriorKnots& knots) {
+  FitProblem problem(points, 3, 3, for_knots());
+  problem.solve(knots);
+  return problem.rms();
+}
+
+TEST(KnotSpacings, GiveTheirKnotsBack) {
+  const std::vector<double> knots{0.1, 0.3, 0.3, 0.7, 0.7, 0.7, 0.9};
+  const KnotSpacings spacings(knots);
+  EXPECT_EQ(spacings.length.size(), 5u);
+  EXPECT_EQ(spacings.multiplicity, (std::vector<int>{1, 2, 3, 1}));
+  EXPECT_EQ(spacings.knot_count(), knots.size());
+  const std::vector<double> back = spacings.knots();
+  ASSERT_EQ(back.size(), knots.size());
+  for (std::size_t i = 0; i < knots.size(); ++i) EXPECT_NEAR(back[i], knots[i], 4e-16);
+  EXPECT_EQ(back[1], back[2]);
+  EXPECT_TRUE(KnotSpacings(std::vector<double>{}).knots().empty());
+}
+
+TEST(KnotSpacings, ChainIsTheDerivativeOfMoved) {
+  const KnotSpacings s(std::vector<double>{0.15, 0.4, 0.4, 0.8});
+  const std::size_t n = s.length.size();
+  std::vector<double> chain(s.knot_count() * n);
+  s.chain(chain, 0, 0, n);
+  const double h = 1e-6;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<double> step(n, 0.0);
+    step[i] = h;
+    const std::vector<double> after = s.moved(step.data(), 0).knots();
+    step[i] = -h;
+    const std::vector<double> before = s.moved(step.data(), 0).knots();
+    for (std::size_t j = 0; j < after.size(); ++j)
+      EXPECT_NEAR(chain[j * n + i], (after[j] - before[j]) / (2 * h), 1e-9);
+  }
+}
+
+TEST(KnotSpacings, NoSpanFallsBelowTheLeast) {
+  const KnotSpacings s(std::vector<double>{0.2, 0.4, 0.6, 0.8});
+  const double step[] = {-9, 1, -5, 0.5, 0};
+  const KnotSpacings m = s.moved(step, 0.05);
+  double sum = 0;
+  for (double x : m.length) {
+    EXPECT_GE(x, 0.05 / 5 * (1 - 1e-12));
+    sum += x;
+  }
+  EXPECT_NEAR(sum, 1, 1e-14);
+}
+
+TEST(Levenberg, NeverEndsAboveItsStartAndAtASmallGradient) {
+  const ParameterizedPoints points = synthetic_points("franke", 5000);
+  FitProblem problem(points, 3, 3, for_knots());
+  InteriorKnots knots{{0.1, 0.3, 0.5, 0.7, 0.9}, {0.2, 0.4, 0.6, 0.8}};
+  problem.solve(knots);
+  const double before = problem.phi();
+  const double phi = minimize_over_knots(problem, knots);
+  EXPECT_LT(phi, 0.6 * before);
+  EXPECT_EQ(problem.knots(), knots);
+  EXPECT_EQ(problem.phi(), phi);
+}
+
+TEST(Optimal, IsNeverWorseThanItsStarts) {
+  for (const char* name : {"franke", "step", "torus"}) {
+    const ParameterizedPoints points = synthetic_points(name, 4000);
+    PlacementOptions options;
+    options.interior_u = 7;
+    options.interior_v = 6;
+    const double optimal = rms_of(points, place_knots("optimal", points, options).knots);
+    for (const PlacementMethod& method : placement_methods())
+      EXPECT_LE(optimal, rms_of(points, place_knots(method.name, points, options).knots) * (1 + 1e-9))
+          << name << " " << method.name;
+  }
+}
+
+/// Data of a spline with these knots: a random net, sampled.
+ParameterizedPoints of_spline(const std::vector<double>& u, const std::vector<double>& v,
+                              std::uint64_t seed) {
+  Uniform uniform(seed);
+  const KnotVector ku = KnotVector::clamped(3, u), kv = KnotVector::clamped(3, v);
+  std::vector<double> net(ku.size() * kv.size());
+  for (double& x : net) x = 2 * uniform() - 1;
+  const Surface s(ku, kv, 1, net);
+  ParameterizedPoints points;
+  for (int k = 0; k < 6000; ++k) points.uv.insert(points.uv.end(), {uniform(), uniform()});
+  points.values = evaluate(s, points.uv);
+  return points;
+}
+
+TEST(Optimal, FindsKnownKnots) {
+  int found = 0, tried = 0;
+  for (int count : {1, 2, 4, 6})
+    for (std::uint64_t seed : {1, 2}) {
+      Uniform uniform(100 * count + seed);
+      auto uneven = [&](int n) {
+        std::vector<double> knots(n);
+        double at = 0;
+        std::vector<double> h(n + 1);
+        double sum = 0;
+        for (double& x : h) sum += x = 0.3 + uniform();
+        for (int i = 0; i < n; ++i) knots[i] = at += h[i] / sum;
+        return knots;
+      };
+      const std::vector<double> u = uneven(count), v = uneven(count);
+      const ParameterizedPoints points = of_spline(u, v, seed);
+      PlacementOptions options;
+      options.interior_u = options.interior_v = count;
+      options.smoothing = 1e-14;
+      const InteriorKnots knots = place_knots("optimal", points, options).knots;
+      double worst = 0;
+      for (int i = 0; i < count; ++i)
+        worst = std::max({worst, std::abs(knots.u[i] - u[i]), std::abs(knots.v[i] - v[i])});
+      ++tried;
+      found += worst < 1e-6;
+    }
+  EXPECT_EQ(found, tried);
+}
+
+TEST(Optimal, ACreaseBecomesAMultipleKnot) {
+  ParameterizedPoints points;
+  Uniform uniform(5);
+  for (int k = 0; k < 5000; ++k) {
+    const double u = uniform(), v = uniform();
+    points.uv.insert(points.uv.end(), {u, v});
+    points.values.push_back(std::abs(u - 0.43) + 0.2 * std::sin(3 * v));
+  }
+  PlacementOptions options;
+  options.interior_u = 4;
+  options.interior_v = 6;
+  const InteriorKnots knots = place_knots("optimal", points, options).knots;
+  const KnotVector u = KnotVector::clamped(3, knots.u);
+  int most = 0;
+  for (double x : knots.u) most = std::max(most, u.multiplicity(x));
+  EXPECT_GE(most, 2);
+  EXPECT_LT(rms_of(points, knots), 1e-5);
+}
+
+TEST(Optimal, SameKnotsForOneAndTwoThreads) {
+  const ParameterizedPoints points = synthetic_points("peaks", 3000);
+  PlacementOptions options;
+  options.interior_u = options.interior_v = 5;
+  set_thread_count(1);
+  const InteriorKnots one = place_knots("optimal", points, options).knots;
+  set_thread_count(2);
+  const InteriorKnots two = place_knots("optimal", points, options).knots;
+  set_thread_count(0);
+  EXPECT_EQ(one, two);
+}
+
+}  // namespace
+}  // namespace knotfit::test
