@@ -29,7 +29,7 @@ struct FitOptions {
   int control_points_u = 0, control_points_v = 0;
   /// Interior knots given; their size is fixed by them.
   std::optional<InteriorKnots> knots;
-  std::string method = "optimal";
+  std::string method = "error-model";
   Effort effort = Effort::balanced;
   bool guard = true;  ///< hold a search with "optimal" between the data too
   RefineRoute route = RefineRoute::search;

@@ -25,7 +25,8 @@ enum class Effort {
 struct RefineOptions {
   Tolerance tolerance;
   RefineRoute route = RefineRoute::search;
-  std::string method = "optimal";  ///< placement method of the size search
+  std::string method =
+      "error-model";  ///< placement method of the size search; "optimal" takes more time and needs the fewest
   Effort effort = Effort::balanced;
   /// Method "optimal": hold the surface between the data too, by fill points and a reserve of local
   /// references [METHOD 4].
