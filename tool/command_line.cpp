@@ -136,7 +136,7 @@ void add_tolerance_options(CLI::App& app, FitChoices& c) {
       "Most control points; default: half of the points, for scattered "
       "data at most 50000",
       group, [&](const std::string& t) { c.max_control_points = parse_count(t, 1); });
-  add(app, "--max-fits", "N", "Most linear fits of one search; default 3000", group,
+  add(app, "--max-fits", "N", "Most linear fits of one search; default: by the size of the search", group,
       [&](const std::string& t) { c.max_fits = static_cast<long>(parse_count(t, 1)); });
   add(app, "--time-limit", "S",
       "Seconds after which the best surface so far is taken (status time_limit); "

@@ -51,7 +51,6 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   if (!c.measure) c.measure = MeasureValue{};
   if (!c.degree) c.degree = IntegerPair{3, 3};
   if (!c.refine) c.refine = RefineRoute::search;
-  if (!c.max_fits) c.max_fits = FitOptions{}.max_fits;
   if (!c.feature) c.feature = FeatureMeasure::hessian;
   if (!c.smoothing) c.smoothing = FitOptions{}.smoothing;
   if (!c.between) c.between = true;
@@ -83,7 +82,7 @@ FitOptions fit_options(const FitChoices& c) {
   options.degree_u = c.degree->first;
   options.degree_v = c.degree->second;
   options.max_control_points = static_cast<Index>(c.max_control_points.value_or(0));
-  options.max_fits = *c.max_fits;
+  options.max_fits = c.max_fits.value_or(FitOptions{}.max_fits);
   options.smoothing = *c.smoothing;
   options.feature = *c.feature;
   options.between = *c.between;

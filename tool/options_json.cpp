@@ -162,7 +162,7 @@ const std::vector<Row>& table() {
       pair("degree", &FitChoices::degree, 1, {3, 3}, "--degree"),
       named("refine", &FitChoices::refine, kRoutes, RefineRoute::search, "--refine"),
       count<long long>("max_control_points", &FitChoices::max_control_points, 0, "--max-control-points"),
-      count<long>("max_fits", &FitChoices::max_fits, 3000, "--max-fits"),
+      count<long>("max_fits", &FitChoices::max_fits, 0, "--max-fits"),
       number("time_limit", &FitChoices::time_limit, parse_positive, 0, "--time-limit"),
       named("feature", &FitChoices::feature, kFeatures, FeatureMeasure::hessian, "--feature"),
       number("smoothing", &FitChoices::smoothing, parse_not_negative, 1e-9, "--smoothing"),
