@@ -8,6 +8,7 @@
 #include "formats/file_bytes.h"
 #include "formats/json_reader.h"
 #include "formats/number.h"
+#include "formats/surface_net.h"
 #include "formats/text_lines.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
@@ -125,12 +126,17 @@ void check_schema(const Members& in) {
 std::vector<int> read_degree(const Members& in) {
   JsonReader reader = in.at("degree");
   std::vector<int> degree;
-  reader.array([&](Index k) {
+  const auto read = [&](Index k) {
     const double value = reader.number();
     if (k >= 2 || !(value >= 1 && value <= kMaxDegree) || value != std::floor(value))
       reader.fail(fmt::format("two whole numbers from 1 to {} are needed", kMaxDegree));
     degree.push_back(static_cast<int>(value));
-  });
+  };
+  if (reader.peek() == JsonReader::Kind::number) {  // one for both directions
+    read(0);
+    return {degree[0], degree[0]};
+  }
+  reader.array(read);
   if (degree.size() != 2) reader.fail(fmt::format("two whole numbers from 1 to {} are needed", kMaxDegree));
   return degree;
 }
@@ -146,38 +152,16 @@ KnotVector read_knots(const Members& in, std::string_view name, int degree) {
   }
 }
 
-/// control_points nested [size_u][size_v][dimension].
-std::vector<double> read_net(const Members& in, Index size_u, Index size_v, int& dimension) {
-  JsonReader reader = in.at("control_points");
-  std::vector<double> net;
-  Index rows = 0, dim = 0;
-  reader.array([&](Index i) {
-    if (i >= size_u)
-      reader.fail(fmt::format("more than the {} rows that degree and knots_u ask for", size_u));
-    Index columns = 0;
-    reader.array([&](Index j) {
-      if (j >= size_v)
-        reader.fail(fmt::format("row {} (from 0) has more than the {} points that degree and knots_v ask for",
-                                i, size_v));
-      Index components = 0;
-      reader.array([&](Index) {
-        net.push_back(reader.number());
-        ++components;
-      });
-      if (i == 0 && j == 0) dim = components;
-      if (components != dim || dim == 0 || dim > 1000)
-        reader.fail(
-            fmt::format("point ({}, {}) has {} components, the first point has {}", i, j, components, dim));
-      columns = j + 1;
-    });
-    if (columns != size_v)
-      reader.fail(fmt::format("row {} (from 0) has {} points, but degree and knots_v ask for {}", i, columns,
-                              size_v));
-    rows = i + 1;
-  });
-  if (rows != size_u) reader.fail(fmt::format("{} rows, but degree and knots_u ask for {}", rows, size_u));
-  dimension = static_cast<int>(dim);
-  return net;
+/// "order": "u-major" (the default) or "v-major".
+bool is_v_major(const Members& in) {
+  const auto order = in.find("order");
+  if (!order) return false;
+  JsonReader reader = in.at("order", *order);
+  if (reader.peek() != JsonReader::Kind::string) reader.fail("\"u-major\" or \"v-major\" is missing");
+  const std::string name = reader.string();
+  if (name != "u-major" && name != "v-major")
+    reader.fail(in_quotes(name) + " is neither \"u-major\" nor \"v-major\"");
+  return name == "v-major";
 }
 
 ParameterMap read_map(const Members& in, std::string_view object, std::string_view text,
@@ -225,10 +209,11 @@ SurfaceDocument read_document(std::string_view text, const std::string& path) {
   const std::vector<int> degree = read_degree(in);
   KnotVector knots_u = read_knots(in, "knots_u", degree[0]);
   KnotVector knots_v = read_knots(in, "knots_v", degree[1]);
-  int dimension = 0;
-  std::vector<double> net = read_net(in, knots_u.size(), knots_v.size(), dimension);
+  ControlNet net = read_control_net(in.at("control_points"), in.get("control_points"), knots_u.size(),
+                                    knots_v.size(), is_v_major(in));
+  const int dimension = net.dimension;
   try {
-    document.surface = Surface(std::move(knots_u), std::move(knots_v), dimension, std::move(net));
+    document.surface = Surface(std::move(knots_u), std::move(knots_v), dimension, std::move(net.points));
   } catch (const InvalidInput& error) {
     in.at("control_points").fail(error.what());
   }

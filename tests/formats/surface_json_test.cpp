@@ -127,7 +127,6 @@ TEST(SurfaceJson, NamesTheBadMember) {
   refuse("format", "3", "format: a name is missing");
   refuse("version", "2", "version: version 2 of the schema is unknown");
   refuse("degree", "", "the member \"degree\" is missing");
-  refuse("degree", "3", "degree: an array is missing");
   refuse("degree", "[1]", "degree: two whole numbers from 1 to 9");
   refuse("degree", "[1, 2, 3]", "degree: two whole numbers");
   refuse("degree", "[1.5, 2]", "degree: two whole numbers");
@@ -140,8 +139,13 @@ TEST(SurfaceJson, NamesTheBadMember) {
   refuse("knots_v", "[0, 0, 0, 1, 1, 1]", "control_points: row 0 (from 0) has more than the 3 points");
   refuse("knots_u", "[0, 0, 0.5, 1, 1]", "control_points: 2 rows, but degree and knots_u ask for 3");
   refuse("control_points", "", "the member \"control_points\" is missing");
-  refuse("control_points", "[]", "control_points: 0 rows, but degree and knots_u ask for 2");
-  refuse("control_points", "[1, 2]", "control_points: an array is missing");
+  refuse("control_points", "[]", "control_points: 0 numbers are no 2 x 4 control points");
+  refuse("control_points", "[1, 2]", "control_points: 2 numbers are no 2 x 4 control points");
+  refuse("control_points", "[[1, 2], [3, 4]]",
+         "control_points: 2 entries of 2 numbers are no 2 x 4 control points");
+  refuse("control_points", "[[1, 2], [3]]",
+         "control_points: entry 1 (from 0) has 1 numbers, the first has 2");
+  refuse("control_points", "[[[[1]]]]", "control_points: ");
   refuse("control_points", "[[[1],[1],[1],[1]],[[1],[1],[1]]]",
          "control_points: row 1 (from 0) has 3 points");
   refuse("control_points", "[[[1],[1],[1],[1]],[[1],[1],[1],[1,2]]]",
@@ -192,6 +196,37 @@ TEST(SurfaceJson, FilesOfSurfaces) {
   write_file(folder.file("s.json"), false, [](std::ostream& out) { out << to_json(small()); });
   expect_equal(read_surface(folder.file("s.json")), small());
   expect_throw<FileError>([&] { read_surface(folder.file("none.json")); }, "no such file");
+}
+
+// What other programs write: the same surface of 2 x 3 points (i, j) in every form.
+TEST(SurfaceJson, ReadsTheFormsOfOtherPrograms) {
+  const auto text = [](const std::string& degree, const std::string& net, const std::string& order) {
+    return "{\"degree\": " + degree +
+           ", \"knots_u\": [0,0,1,1], \"knots_v\": [0,0,0.5,1,1], \"control_points\": " + net +
+           (order.empty() ? "" : ", \"order\": \"" + order + "\"") + "}";
+  };
+  const Surface wanted(KnotVector(1, {0, 0, 1, 1}), KnotVector(1, {0, 0, 0.5, 1, 1}), 2,
+                       {0, 0, 0, 1, 0, 2, 1, 0, 1, 1, 1, 2});
+  const auto expect = [&](const std::string& net, const std::string& order) {
+    EXPECT_EQ(parse(text("1", net, order)).surface, wanted) << net << order;
+    EXPECT_EQ(parse(text("[1, 1]", net, order)).surface, wanted) << net << order;
+  };
+  for (const std::string order : {"", "u-major"}) {
+    expect("[[[0,0],[0,1],[0,2]],[[1,0],[1,1],[1,2]]]", order);
+    expect("[[0,0],[0,1],[0,2],[1,0],[1,1],[1,2]]", order);
+    expect("[ [0,0,0,1,0,2], [1,0,1,1,1,2] ]", order);
+    expect("[0,0,0,1,0,2,1,0,1,1,1,2]", order);
+  }
+  expect("[[[0,0],[1,0]],[[0,1],[1,1]],[[0,2],[1,2]]]", "v-major");
+  expect("[[[0,0],[0,1],[0,2]],[[1,0],[1,1],[1,2]]]", "v-major");  // its shape says that it is not
+  expect("[[0,0],[1,0],[0,1],[1,1],[0,2],[1,2]]", "v-major");
+  expect("[0,0,1,0,0,1,1,1,0,2,1,2]", "v-major");
+  const Surface heights(wanted.knots_u(), wanted.knots_v(), 1, {1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(parse(text("1", "[[1,2,3],[4,5,6]]", "")).surface, heights);
+  EXPECT_EQ(parse(text("1", "[[1,4],[2,5],[3,6]]", "v-major")).surface, heights);
+  expect_throw<FileError>([&] { parse(text("1", "[1]", "rows")); },
+                          "order: \"rows\" is neither \"u-major\" nor");
+  expect_throw<FileError>([&] { parse(text("0", "[1]", "")); }, "degree: two whole numbers from 1 to 9");
 }
 
 }  // namespace
