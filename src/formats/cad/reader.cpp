@@ -4,6 +4,10 @@
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Check.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepGeom_Curve.hxx>
+#include <StepGeom_Pcurve.hxx>
+#include <StepRepr_DefinitionalRepresentation.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -12,11 +16,23 @@
 namespace knotfit::cad {
 namespace {
 
+/// A representation may hold anything; a curve in parameters is taken to hold a curve.
+bool is_curve_of_nothing(const Handle(Standard_Transient) & entity) {
+  const auto pcurve = Handle(StepGeom_Pcurve)::DownCast(entity);
+  if (pcurve.IsNull() || pcurve->ReferenceToCurve().IsNull()) return false;
+  const auto& representation = pcurve->ReferenceToCurve();
+  return representation->NbItems() < 1 || representation->ItemsValue(1).IsNull() ||
+         !representation->ItemsValue(1)->IsKind(STANDARD_TYPE(StepGeom_Curve));
+}
+
 /// OpenCASCADE translates what it could not load as if it had: references lead nowhere, and it crashes.
 /// \throws FileError  an entity that could not be loaded; names it and says why
 void check_loaded(const Handle(Interface_InterfaceModel) & model, const std::string& path) {
   for (int k = 1; k <= model->NbEntities(); ++k) {
     const Handle(Interface_Check)& check = model->Check(k, true);
+    if (is_curve_of_nothing(model->Value(k)))
+      throw FileError(path, fmt::format("entity {} (PCURVE) leads to no curve",
+                                        model->StringLabel(model->Value(k))->ToCString()));
     if (!check->HasFailed() && !model->IsErrorEntity(k)) continue;
     const Handle(Standard_Transient)& entity = model->Value(k);
     throw FileError(path, fmt::format("entity {} ({}) is damaged: {}",

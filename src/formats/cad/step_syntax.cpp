@@ -13,6 +13,7 @@ namespace knotfit::cad {
 namespace {
 
 constexpr std::string_view kFirst = "ISO-10303-21;", kLast = "END-ISO-10303-21;";
+constexpr int kDeepest = 100;
 constexpr double kLargest = 1e30;  ///< of any number: what squares and products of it may still hold
 
 bool is_digit(char c) {
@@ -74,10 +75,12 @@ class Scanner {
   }
   void pass_string() {
     const long long begin = line_;
-    for (++p_; p_ < end_ && *p_ != '\''; ++p_)
-      if (*p_ == '\n') ++line_;
-    if (p_ == end_) throw FileError(path_, begin, "a string has no end");
-    ++p_;
+    do {  // a quote inside is doubled
+      for (++p_; p_ < end_ && *p_ != '\''; ++p_)
+        if (*p_ == '\n') ++line_;
+      if (p_ == end_) throw FileError(path_, begin, "a string has no end");
+      ++p_;
+    } while (p_ < end_ && *p_ == '\'');
   }
   /// To the semicolon, whatever stands before.
   void pass_statement() {
@@ -107,34 +110,66 @@ class Scanner {
     if (number.status == NumberStatus::too_large || !(std::abs(number.value) <= kLargest))
       fail(in_quotes(token) + " is larger than any length or count may be");
   }
-  /// What stands between a pair of brackets, the first one at hand.
-  void parameters() {
-    int depth = 0;
-    do {
-      if (!pass_blanks()) fail("a bracket is not closed");
-      const char c = *p_;
-      if (c == '\'') {
-        pass_string();
-      } else if (c == '#') {
-        const long long line = line_;
-        used_.push_back({reference(), line});
-      } else if (is_digit(c) || c == '-' || c == '+') {
-        pass_number();
-      } else if (c == '"') {  // binary
-        do ++p_;
-        while (p_ < end_ && *p_ != '"');
-        if (p_ < end_) ++p_;
-      } else if (is_word(c) || c == '!') {
-        keyword();
-      } else if (c == '(' || c == ')') {
-        depth += c == '(' ? 1 : -1;
-        ++p_;
-      } else if (c == ',' || c == '.' || c == '$' || c == '*') {
-        ++p_;
-      } else {
-        fail(fmt::format("{} is out of place", in_quotes({p_, 1})));
-      }
-    } while (depth > 0);
+  void expect(char c, const char* otherwise) {
+    if (!pass_blanks() || *p_ != c) fail(otherwise);
+    ++p_;
+  }
+  /// One value of a list: nothing may be left out, since OpenCASCADE crashes on what is.
+  void value(int depth) {
+    if (!pass_blanks()) fail("a list has no end");
+    const char c = *p_;
+    if (c == '\'') {
+      pass_string();
+    } else if (c == '#') {
+      const long long line = line_;
+      used_.push_back({reference(), line});
+    } else if (is_digit(c) || c == '-' || c == '+') {
+      pass_number();
+    } else if (c == '$' || c == '*') {
+      ++p_;
+    } else if (c == '.') {  // of an enumeration
+      ++p_;
+      if (keyword().empty() || p_ == end_ || *p_ != '.') fail("a word between points is missing");
+      ++p_;
+    } else if (c == '"') {  // binary
+      do ++p_;
+      while (p_ < end_ && *p_ != '"');
+      if (p_ == end_) fail("a binary value has no end");
+      ++p_;
+    } else if (c == '(') {
+      list(depth + 1);
+    } else if (!keyword().empty()) {  // of a named type
+      list(depth + 1);
+    } else {
+      fail(in_quotes({p_, 1}) + " in place of a value");
+    }
+  }
+  void list(int depth) {
+    if (depth > kDeepest) fail("lists are nested too deep");
+    expect('(', "( is missing");
+    if (pass_blanks() && *p_ == ')') {
+      ++p_;
+      return;
+    }
+    for (;;) {
+      value(depth);
+      if (!pass_blanks() || (*p_ != ',' && *p_ != ')')) fail("',' or ')' is missing in a list");
+      if (*p_++ == ')') return;
+    }
+  }
+  /// TYPE(...), or (TYPE(...) TYPE(...)) of an entity of several types.
+  void entity() {
+    if (!pass_blanks()) fail("an entity has no type");
+    if (*p_ != '(') {
+      if (keyword().empty()) fail("an entity has no type");
+      return list(0);
+    }
+    ++p_;
+    while (pass_blanks() && *p_ != ')') {
+      if (keyword().empty()) fail("an entity has no type");
+      list(0);
+    }
+    expect(')', "an entity has no end");
   }
   void data_section() {
     while (pass_blanks()) {
@@ -146,11 +181,9 @@ class Scanner {
       }
       const long long line = line_;
       defined_.push_back({reference(), line});
-      if (!pass_blanks() || *p_++ != '=') fail("= is missing behind an entity's number");
-      if (pass_blanks() && *p_ != '(' && keyword().empty()) fail("an entity has no type");
-      if (!pass_blanks() || *p_ != '(') fail("an entity has no parameters");
-      parameters();
-      if (!pass_blanks() || *p_++ != ';') fail("; is missing behind an entity");
+      expect('=', "= is missing behind an entity's number");
+      entity();
+      expect(';', "; is missing behind an entity");
     }
     fail("the DATA section has no end");
   }
