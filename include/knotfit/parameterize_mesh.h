@@ -20,7 +20,7 @@ struct MeshMapOptions {
   CornerRule corners = CornerRule::automatic;
   /// Vertices of the four corners: (0,0), (1,0), (1,1), (0,1), in the order of the boundary with the
   /// surface on its left (counter-clockwise from outside); overrides the rule.
-  std::optional<std::array<Index, 4>> corner_vertices;
+  std::optional<std::array<Index, 4>> corner_vertices = {};
   /// Weight of the normals in the metric l^2 = |dx|^2 + omega^2 |dn|^2 (lengths over the diagonal), at most
   /// 10; negative: tried over {0, 0.025, 0.05, 0.1, 0.2} by the error of a 20 x 20 uniform fit.
   double omega = -1;

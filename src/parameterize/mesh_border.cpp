@@ -93,6 +93,27 @@ Corners sharpest_corners(const Border& border) {
   return {picked[0], picked[1], picked[2], picked[3]};
 }
 
+Corners corners_at_ears(const Border& border, Corners corners) {
+  constexpr double near = 0.02;
+  const DiskMesh& disk = border.disk();
+  std::vector<int> faces(disk.position.size(), 0);
+  for (const Face& t : disk.own_face)
+    for (const int i : t) ++faces[i];
+  const auto ear = [&](int k) { return faces[disk.loop[k]] == 1; };
+  for (int k = 0; k < border.size(); ++k) {
+    if (!ear(k) || std::find(corners.begin(), corners.end(), k) != corners.end()) continue;
+    const auto distance = [&](int corner) {
+      const double d = std::abs(border.at(corner) - border.at(k));
+      return std::min(d, border.total() - d);
+    };
+    const auto nearest = std::min_element(corners.begin(), corners.end(),
+                                          [&](int a, int b) { return distance(a) < distance(b); });
+    // No corner lies between the nearest one and its new place: their order stays.
+    if (!ear(*nearest) && distance(*nearest) <= near * border.total()) *nearest = k;
+  }
+  return corners;
+}
+
 std::vector<char> fixed_coordinates(const DiskMesh& disk, std::span<const double> uv) {
   std::vector<char> fixed(disk.position.size(), 0);
   for (const int i : disk.loop)

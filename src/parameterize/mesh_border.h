@@ -37,6 +37,10 @@ class Border {
 /// corners at least 8 % apart (nearer where four do not fit).
 Corners sharpest_corners(const Border& border);
 
+/// The corners moved to boundary vertices of a single face within 2 % of the border's length: elsewhere
+/// on a side such a face goes flat.
+Corners corners_at_ears(const Border& border, Corners corners);
+
 /// Bit 0: u is fixed to its side, bit 1: v is; a vertex each, from the border's parameters.
 std::vector<char> fixed_coordinates(const DiskMesh& disk, std::span<const double> uv);
 

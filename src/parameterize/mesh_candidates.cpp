@@ -19,10 +19,9 @@ struct Metric {
   std::vector<RestTriangle> rest;
 };
 
-Corners find_by_search(const DiskMesh& disk, const std::vector<RestTriangle>& rest,
+Corners find_by_search(const DiskMesh& disk, const Border& border, const std::vector<RestTriangle>& rest,
                        const Elimination& elimination, const Corners& sharpest, const Choices& choices,
                        const Watch& watch) {
-  const Border border(disk, rest);
   ConvexMap map(disk, elimination);
   std::vector<double> uv(2 * disk.position.size(), 0);
   // One factor serves all corners: they only change the right sides.
@@ -64,9 +63,10 @@ class Candidate {
     newton_->release();
     consider(newton_->square_parameters());
   }
-  /// Flipped triangles first, then the distance.
+  /// Flipped triangles first, then those of the mesh without its edges halved, then the distance.
   bool better_than(const Candidate& other) const {
     if (flipped_ != other.flipped_) return flipped_ < other.flipped_;
+    if (own_flipped_ != other.own_flipped_) return own_flipped_ < other.own_flipped_;
     return fit_.distance < other.fit_.distance;
   }
   int rounds() const { return newton_ ? newton_->rounds() : 0; }
@@ -78,6 +78,7 @@ class Candidate {
     const Index flipped = count_flipped(disk_.face, uv);
     if (!uv_.empty() && flipped > flipped_) return;
     flipped_ = flipped;
+    own_flipped_ = disk_.halved.empty() ? flipped : count_flipped(disk_.own_face, uv);
     uv_ = std::move(uv);
     fit_ = trial_fit(disk_, uv_);
   }
@@ -87,7 +88,7 @@ class Candidate {
   Corners corners_;
   std::unique_ptr<NewtonMap> newton_;
   std::vector<double> uv_;
-  Index flipped_ = 0;
+  Index flipped_ = 0, own_flipped_ = 0;
   TrialFit fit_;
 };
 
@@ -107,7 +108,9 @@ ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Watch& wa
   for (const double omega : choices.omegas) metrics.push_back({omega, rest_triangles(disk, omega)});
   // The metric hardly moves the best corners: they are looked for once, in the middle one.
   const std::vector<RestTriangle>& middle = metrics[metrics.size() / 2].rest;
-  const Corners sharpest = choices.corners ? *choices.corners : sharpest_corners(Border(disk, middle));
+  const Border border(disk, middle);
+  const Corners sharpest =
+      choices.corners ? *choices.corners : corners_at_ears(border, sharpest_corners(border));
 
   // The rounds after which only the better ones go on: the order of the fits hardly changes then.
   constexpr int first = 3, second = 7;
@@ -125,7 +128,8 @@ ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Watch& wa
   Corners searched = sharpest;
   parallel_for(static_cast<Index>(by_sharp + (search ? 1 : 0)), [&](Index task) {
     if (search && task == 0) {  // the longest task first
-      searched = find_by_search(disk, middle, elimination, sharpest, choices, watch);
+      searched = corners_at_ears(border,
+                                 find_by_search(disk, border, middle, elimination, sharpest, choices, watch));
       return;
     }
     const auto k = static_cast<std::size_t>(task) - (search ? 1 : 0);

@@ -7,9 +7,9 @@
 namespace knotfit::mesh_map {
 
 struct CornerSearch {
-  std::vector<Corners> starts;  ///< tried besides eight rotations of equal quarters
+  std::vector<Corners> starts = {};  ///< tried besides eight rotations of equal quarters
   int most_evaluations = 400;
-  std::function<bool()> stop;  ///< asked before each evaluation
+  std::function<bool()> stop = {};  ///< asked before each evaluation
 };
 
 /// Corners of the least cost found: from the two best starts, each corner, neighbours and all four

@@ -131,7 +131,7 @@ DiskMesh faces_alone(const Mesh& mesh) {
   DiskMesh disk;
   disk.own = mesh.vertex_count();
   scale_to_unit_diagonal(mesh, disk);
-  disk.face = mesh.faces;
+  disk.face = disk.own_face = mesh.faces;
   disk.virtual_face = mesh.virtual_face;
   disk.virtual_face.resize(disk.face.size(), 0);
   disk.normal.assign(disk.position.size(), Position{0, 0, 0});

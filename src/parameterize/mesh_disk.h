@@ -16,6 +16,7 @@ struct DiskMesh {
   Index own = 0;                              ///< vertices of the mesh itself; later ones halve edges
   std::vector<Position> position;             ///< lengths over the diagonal
   std::vector<Face> face;                     ///< counter-clockwise
+  std::vector<Face> own_face;                 ///< of the mesh itself, before edges are halved
   std::vector<char> virtual_face;             ///< a face each: 1 closes a hole
   std::vector<std::array<Index, 2>> halved;   ///< ends of the edge that vertex own + k halves
   std::vector<int> loop;                      ///< boundary vertices, the surface on the left

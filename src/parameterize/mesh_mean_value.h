@@ -42,7 +42,7 @@ struct ReweightOptions {
   double exponent = 0.5;  ///< eta
   double slide = 0;       ///< exponent of the border's lengths; 0: the border stays at arc length
   int rounds = 12;
-  std::function<bool()> stop;
+  std::function<bool()> stop = {};
 };
 
 /// w_ij <- w_ij / (s_j / geometric mean s)^eta with s the stretch at each vertex [Yoshizawa04], from

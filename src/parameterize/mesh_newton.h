@@ -23,6 +23,7 @@ class NewtonMap {
   bool converged() const { return converged_; }
   int rounds() const { return rounds_; }
   double energy() const { return energy_; }
+  double aspect() const { return aspect_; }  ///< width over height of the rectangle
   /// On the unit square; boundary vertices exactly on their sides.
   std::vector<double> square_parameters() const;
 
