@@ -163,7 +163,7 @@ void add_knot_options(CLI::App& app, FitArguments& fit) {
                        [=](const std::string& t) { given().v = parse_knots(t); });
   CLI::Option* from = add(app, "--knots-from", "SURFACE",
                           "Knots, and unless --degree is given degrees, of a "
-                          "surface.json",
+                          "surface.json, STEP or IGES file",
                           group, [&](const std::string& t) { fit.knots_from = t; });
   u->needs(v);
   v->needs(u);
@@ -231,6 +231,44 @@ void add_samples(CLI::App& app, std::optional<int>& samples) {
       });
 }
 
+void add_unit(CLI::App& app, std::optional<CadUnit>& unit, const std::string& help,
+              const std::string& group) {
+  add(app, "--unit", one_of(kUnits), help, group,
+      [&](const std::string& t) { unit = parse_named(kUnits, t); });
+}
+
+void add_face(CLI::App& app, std::optional<int>& face) {
+  add(app, "--face", "N", "Which surface of a STEP or IGES file that holds several, from 1", "Input",
+      [&](const std::string& t) {
+        face = static_cast<int>(std::min<long long>(parse_count(t, 1), 1 << 30));
+      });
+}
+
+// Where a surface is read.
+void add_surface_options(CLI::App& app, SurfaceChoices& source) {
+  add_unit(app, source.unit, "The unit that a STEP or IGES file's surface is wanted in; default mm", "Input");
+  add_face(app, source.face);
+}
+
+// Where CAD files are written.
+void add_cad_options(CLI::App& app, CadChoices& cad, const std::string& unit) {
+  const std::string group = "CAD files";
+  add_unit(app, cad.unit, unit, group);
+  add(app, "--name", "TEXT", "Name of the part; default: the file's name", group,
+      [&](const std::string& t) { cad.name = t; });
+  add(app, "--step-schema", one_of(kSchemas), "Schema of STEP outputs; default ap242", group,
+      [&](const std::string& t) { cad.schema = parse_named(kSchemas, t); });
+  add_flag(app, "--cad-safe",
+           "Faces that every CAD system digests: degree 3, C1, at most 250 control points a direction, no "
+           "knots nearer than 1e-7 of the domain; one surface may become several faces",
+           group, [&] { cad.safe = true; });
+  add(app, "--cad-tol", "X|X%",
+      "What --cad-safe may move the surface by where it lowers a degree or merges knots: absolute, or in % "
+      "of "
+      "the diagonal; default 0.001%",
+      group, [&](const std::string& t) { cad.tolerance = parse_tolerance(t); });
+}
+
 void add_parameterize(CLI::App& app, ParameterizeArguments& parameterize) {
   add_input(app, "MESH", parameterize.input, "A mesh with one boundary loop: .ply .obj .off .stl");
   add_mesh_options(app, parameterize.choices);
@@ -260,8 +298,10 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   add_output_options(
       app, fit.output,
       "May repeat; by extension: .json the surface, .csv the residuals, .asc or .grd the fitted "
-      "heights, .png .svg .pdf a picture, .obj .ply .vts the surface in triangles or as a grid, with errors");
+      "heights, .png .svg .pdf a picture, .obj .ply .vts the surface in triangles or as a grid, with errors, "
+      ".step .stp .igs .iges the surface for CAD");
   add_samples(app, c.samples);
+  add_cad_options(app, c.cad, "The unit of the data, for STEP and IGES outputs; default mm");
   const std::string output = "Output";
   add_cell(app, c.cell, "Cell size of an .asc output, or two as 30x25; default: the input raster's own grid");
   add_flag(
@@ -294,7 +334,8 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   const std::pair<const char*, std::optional<bool>*> undone[] = {{"largest-part", &c.largest_part},
                                                                  {"orient", &c.orient},
                                                                  {"drop-degenerate", &c.drop_degenerate},
-                                                                 {"new-parameters", &c.new_parameters}};
+                                                                 {"new-parameters", &c.new_parameters},
+                                                                 {"cad-safe", &c.cad.safe}};
   for (const auto& [name, flag] : undone) {
     const std::string option = std::string("--") + name;
     add_flag(app, std::string("--no-") + name, "Undo a stored " + option, repeat, [flag = flag] {
@@ -304,7 +345,8 @@ void add_fit(CLI::App& app, FitArguments& fit) {
 }
 
 void add_eval(CLI::App& app, EvalArguments& eval) {
-  add_input(app, "SURFACE", eval.surface, "A surface.json");
+  add_input(app, "SURFACE", eval.surface, "A surface.json, or a STEP or IGES file");
+  add_surface_options(app, eval.source);
   const std::string where = "Where";
   CLI::Option* at = add_repeated(app, "--at", "A,B",
                                  "Parameters u,v, or x,y for a height field, in the coordinates of the "
@@ -343,24 +385,28 @@ void add_eval(CLI::App& app, EvalArguments& eval) {
 }
 
 void add_info(CLI::App& app, InfoArguments& info) {
-  add_input(app, "FILE", info.file, "A surface.json or a data file");
+  add_input(app, "FILE", info.file, "A surface.json, a STEP or IGES file, or a data file");
+  add_surface_options(app, info.source);
   add_input_options(app, info.input);
   add_flag(app, "--json", "One JSON object", "Output", [&] { info.json = true; });
 }
 
 void add_convert(CLI::App& app, ConvertArguments& convert) {
-  add_input(app, "INPUT", convert.input, "A surface.json or a data file");
+  add_input(app, "INPUT", convert.input, "A surface.json, a STEP or IGES file, or a data file");
+  add_face(app, convert.face);
   add_input_options(app, convert.read);
   add_output_options(
       app, convert.output,
       "May repeat. Of a surface: .json, .csv (values on --grid), .asc or .grd (heights; --cell), "
-      ".png .svg .pdf, .obj .ply .vts. Of data: .csv (points), .asc or .grd (points that lie on a grid), "
+      ".png .svg .pdf, .obj .ply .vts, .step .stp .igs .iges. Of data: .csv (points), .asc or .grd (points "
+      "that lie on a grid), "
       ".obj .ply (meshes)")
       ->required();
   add_cell(app, convert.cell,
            "Cell size of an .asc output, or two as 30x25; default: the grid of the raster "
            "that was fitted");
   add_samples(app, convert.samples);
+  add_cad_options(app, convert.cad, "The unit of STEP and IGES files, also of the input; default mm");
   add(app, "--grid", "NxM", "Places of a .csv output; default 100x100", "Output",
       [&](const std::string& t) { convert.grid = parse_pair(t, 2); });
 }

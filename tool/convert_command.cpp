@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cad_output.h"
 #include "commands.h"
 #include "data_conversion.h"
 #include "exit_status.h"
@@ -12,7 +13,7 @@
 #include "mesh_outputs.h"
 #include "outputs.h"
 #include "sampling.h"
-#include "text_values.h"
+#include "surface_file.h"
 namespace knotfit::tool {
 namespace {
 
@@ -62,7 +63,8 @@ std::string picture_title(const SurfaceDocument& document, const std::string& pa
 }
 
 void convert_surface(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
-  const SurfaceDocument document = read_surface(arguments.input);
+  const SurfaceDocument document =
+      read_one_surface(arguments.input, {.unit = arguments.cad.unit, .face = arguments.face});
   const bool force = arguments.output.force;
   for (const OutputFile& file : files) {
     switch (file.kind) {
@@ -82,6 +84,9 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
         write_surface_mesh(file, force, document.surface, document.map, document.height_field,
                            arguments.samples.value_or(kSamplesPerSpan), nullptr, {});
         break;
+      case OutputKind::cad:
+        write_cad_file(file, force, document.surface, document.map, document.height_field, arguments.cad);
+        break;
       case OutputKind::picture: {
         PictureInput picture;
         picture.surface = &document.surface;
@@ -95,7 +100,7 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
 
 void convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files)
-    if (file.kind == OutputKind::surface || file.kind == OutputKind::picture)
+    if (file.kind == OutputKind::surface || file.kind == OutputKind::picture || file.kind == OutputKind::cad)
       throw InvalidInput(fmt::format(
           "{}: data becomes .csv, .asc or .grd, and a mesh .obj or .ply; a {} needs a surface: knotfit fit",
           file.path, file.extension));
@@ -119,7 +124,7 @@ void convert_data(const ConvertArguments& arguments, const std::vector<OutputFil
 
 int run_convert(const ConvertArguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
-  if (extension_of(arguments.input) == ".json")
+  if (holds_surfaces(arguments.input))
     convert_surface(arguments, files);
   else
     convert_data(arguments, files);

@@ -13,6 +13,7 @@
 #include "outputs.h"
 #include "places.h"
 #include "sampling.h"
+#include "surface_file.h"
 namespace knotfit::tool {
 namespace {
 
@@ -98,7 +99,7 @@ std::vector<OutputFile> table_outputs(const EvalArguments& arguments) {
 int run_eval(const EvalArguments& arguments) {
   set_thread_count(arguments.threads);
   const std::vector<OutputFile> files = table_outputs(arguments);
-  const SurfaceDocument document = read_surface(arguments.surface);
+  const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
   const Places places = find_places(arguments, document);
   const std::vector<double> uv = parameters_of(places, document.map, arguments.clamp);
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "cad_output.h"
 #include "commands.h"
 #include "exit_status.h"
 #include "fit_report.h"
@@ -15,6 +16,7 @@
 #include "options_json.h"
 #include "outputs.h"
 #include "signals.h"
+#include "surface_file.h"
 #include "terminal_progress.h"
 #include "text_values.h"
 namespace knotfit::tool {
@@ -35,7 +37,7 @@ void check_method(const std::string& method) {
 FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   FitChoices c = arguments.choices;
   if (!arguments.knots_from.empty()) {
-    const Surface surface = read_surface(arguments.knots_from).surface;
+    const Surface surface = read_one_surface(arguments.knots_from, {}).surface;
     const auto unit = [](const KnotVector& k) { return k.is_clamped() && k.first() == 0 && k.last() == 1; };
     if (!unit(surface.knots_u()) || !unit(surface.knots_v()))
       throw FileError(arguments.knots_from, "--knots-from wants knots that are clamped on [0,1]");
@@ -138,6 +140,9 @@ class FitWriter {
       case OutputKind::mesh:
         return write_surface_mesh(file, force_, result.surface, result.map, result.height_field,
                                   *report_.choices.samples, &input.points, result.errors);
+      case OutputKind::cad:
+        return write_cad_file(file, force_, result.surface, result.map, result.height_field,
+                              report_.choices.cad);
       case OutputKind::picture:
         return write_picture_file(file, force_, picture());
     }
@@ -190,6 +195,9 @@ int write_outputs(const std::vector<OutputFile>& files, const FitWriter& writer,
     } catch (const FileError& e) {
       complain(e.what());
       if (status == kReached) status = kBadInput;
+    } catch (const InvalidInput& e) {
+      complain(e.what());
+      if (status == kReached) status = kBadInput;
     } catch (const WriteError& e) {
       complain(e.what());
       status = kOther;
@@ -215,9 +223,12 @@ int run_fit(const FitArguments& arguments) {
   control.stop = stop.token();
   control.time_limit = choices.time_limit.value_or(0);
   const FitInput input = read_fit_input(arguments.input, choices, control);
-  for (const OutputFile& file : files)
+  for (const OutputFile& file : files) {
     if (file.kind == OutputKind::mesh)
       check_surface_mesh(file, input.points.dimension, input.points.height_field);
+    if (file.kind == OutputKind::cad)
+      check_cad_output(file, input.points.dimension, input.points.height_field);
+  }
   const Raster grid = asks_for(files, OutputKind::raster) ? output_grid(input, choices) : Raster{};
   if (stop.requested()) {
     terminal.clear();

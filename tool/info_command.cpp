@@ -12,6 +12,7 @@
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
 #include "outputs.h"
+#include "surface_file.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -176,7 +177,7 @@ Json parsed(const std::string& text) {
   return j.is_object() ? j : Json(nullptr);
 }
 
-std::string surface_json(const SurfaceDocument& document, const std::string& path) {
+Json surface_json(const SurfaceDocument& document, const std::string& path) {
   const Surface& s = document.surface;
   const ParameterMap& map = document.map;
   Json j = {{"kind", "surface"},
@@ -192,7 +193,7 @@ std::string surface_json(const SurfaceDocument& document, const std::string& pat
   for (const auto& [least, most] : net_box(s)) j["net_bounds"].push_back({least, most});
   j["options"] = parsed(document.options);
   j["result"] = parsed(document.result);
-  return j.dump() + "\n";
+  return j;
 }
 
 // What the file says of its making; other writers may have left parts out.
@@ -213,13 +214,11 @@ std::string making_text(const SurfaceDocument& document) {
   return text;
 }
 
-std::string surface_info(const InfoArguments& arguments) {
-  const SurfaceDocument document = read_surface(arguments.file);
-  if (arguments.json) return surface_json(document, arguments.file);
+std::string surface_text(const SurfaceDocument& document, const std::string& name) {
   const Surface& s = document.surface;
   const ParameterMap& map = document.map;
   std::string text = fmt::format(
-      "{}: B-spline surface, {}\n", arguments.file,
+      "{}: B-spline surface, {}\n", name,
       document.height_field ? "a height field z over x, y" : fmt::format("{} coordinates", s.dimension()));
   text += fmt::format("{} x {} = {} control points, degree {} x {}\n", s.size_u(), s.size_v(),
                       s.control_point_count(), s.degree_u(), s.degree_v());
@@ -232,10 +231,38 @@ std::string surface_info(const InfoArguments& arguments) {
   return text + "\n" + making_text(document);
 }
 
+std::string surfaces_info(const InfoArguments& arguments) {
+  const auto described = [&](const SurfaceDocument& document) {
+    Json j = surface_json(document, arguments.file);
+    if (is_cad_file(arguments.file))
+      j["unit"] = name_of(kUnits, arguments.source.unit.value_or(CadUnit::millimetre));
+    return j;
+  };
+  std::vector<SurfaceDocument> documents;
+  if (arguments.source.face)
+    documents.push_back(read_one_surface(arguments.file, arguments.source));
+  else
+    documents = read_surfaces(arguments.file, arguments.source);
+  if (arguments.json && documents.size() == 1) return described(documents.front()).dump() + "\n";
+  if (arguments.json) {
+    Json j = {{"kind", "surfaces"}, {"path", arguments.file}, {"surfaces", Json::array()}};
+    for (const SurfaceDocument& document : documents) j["surfaces"].push_back(described(document));
+    return j.dump() + "\n";
+  }
+  std::string text;
+  for (std::size_t k = 0; k < documents.size(); ++k)
+    text +=
+        surface_text(documents[k], documents.size() == 1 ? arguments.file
+                                                         : fmt::format("{}, face {}", arguments.file, k + 1));
+  if (is_cad_file(arguments.file))
+    text += fmt::format("unit: {}\n", name_of(kUnits, arguments.source.unit.value_or(CadUnit::millimetre)));
+  return text;
+}
+
 }  // namespace
 
 int run_info(const InfoArguments& arguments) {
-  print(extension_of(arguments.file) == ".json" ? surface_info(arguments) : data_info(arguments));
+  print(holds_surfaces(arguments.file) ? surfaces_info(arguments) : data_info(arguments));
   return kReached;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "knotfit/cad.h"
 #include "knotfit/features.h"
 #include "knotfit/parameterize.h"
 #include "knotfit/parameterize_mesh.h"
@@ -51,6 +52,21 @@ struct InputOptions {
   std::optional<double> nodata;
 };
 
+/// What STEP and IGES outputs are like.
+struct CadChoices {
+  std::optional<CadUnit> unit;
+  std::optional<std::string> name;          ///< of the part; default: the file's
+  std::optional<CadFormat> schema;          ///< of STEP
+  std::optional<bool> safe;                 ///< cad_safe
+  std::optional<ToleranceValue> tolerance;  ///< what cad_safe may move the surface by
+};
+
+/// Which surface of a file, and in which unit it is wanted.
+struct SurfaceChoices {
+  std::optional<CadUnit> unit;  ///< of STEP and IGES
+  std::optional<int> face;      ///< from 1
+};
+
 /// The options of `fit` that shape its result: stored in every output, repeated by --options.
 struct FitChoices {
   std::optional<ToleranceValue> tolerance;
@@ -76,6 +92,7 @@ struct FitChoices {
   std::optional<std::string> corners;                                         ///< text of parse_corners
   std::optional<double> omega;  ///< weight of the normals in the map
   std::optional<int> samples;   ///< a span, of .obj, .ply and .vts outputs
+  CadChoices cad;
 };
 
 struct OutputOptions {
@@ -104,6 +121,7 @@ struct ParameterizeArguments {
 
 struct EvalArguments {
   std::string surface;
+  SurfaceChoices source;
   std::vector<std::pair<double, double>> at;
   std::string points;
   std::optional<IntegerPair> grid;
@@ -118,12 +136,15 @@ struct EvalArguments {
 
 struct InfoArguments {
   std::string file;
+  SurfaceChoices source;
   InputOptions input;
   bool json = false;
 };
 
 struct ConvertArguments {
   std::string input;
+  std::optional<int> face;
+  CadChoices cad;  ///< the unit is that of the input too
   InputOptions read;
   std::optional<std::pair<double, double>> cell;
   std::optional<IntegerPair> grid;

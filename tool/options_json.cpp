@@ -99,6 +99,27 @@ Row input(const char* name, std::optional<T> InputOptions::*field,
           [field, text](const FitChoices& c) { return text(*(c.input.*field)); }};
 }
 
+// An option of FitChoices::cad.
+template <class T>
+Row cad(const char* name, std::optional<T> CadChoices::*field, std::function<Json(const T&)> get,
+        std::function<T(const Json&)> set, std::function<std::string(const T&)> text) {
+  return {name, [field](const FitChoices& c) { return (c.cad.*field).has_value(); },
+          [field, get](const FitChoices& c) { return get(*(c.cad.*field)); },
+          [field, set](FitChoices& c, const Json& j) { c.cad.*field = set(j); },
+          [field, text](const FitChoices& c) { return text(*(c.cad.*field)); }};
+}
+
+template <class E, std::size_t N>
+Row named_cad(const char* name, std::optional<E> CadChoices::*field, const Named<E> (&table)[N], E usual,
+              const char* option) {
+  return cad<E>(
+      name, field, [&table](const E& e) { return Json(name_of(table, e)); },
+      [&table](const Json& j) { return parse_named(table, j.get<std::string>()); },
+      [&table, usual, option](const E& e) {
+        return e == usual ? "" : fmt::format("{} {}", option, name_of(table, e));
+      });
+}
+
 std::string join(std::span<const double> values) {
   return fmt::format("{}", fmt::join(values, ","));
 }
@@ -193,6 +214,20 @@ const std::vector<Row>& table() {
           [](const std::string& t) { return t == "auto" ? "" : fmt::format("--corners '{}'", t); }),
       number("omega", &FitChoices::omega, parse_not_negative, -1, "--omega"),
       count<int>("samples", &FitChoices::samples, kSamplesPerSpan, "--samples"),
+      named_cad("unit", &CadChoices::unit, kUnits, CadUnit::millimetre, "--unit"),
+      cad<std::string>(
+          "name", &CadChoices::name, [](const std::string& t) { return Json(t); },
+          [](const Json& j) { return j.get<std::string>(); },
+          [](const std::string& t) { return fmt::format("--name '{}'", t); }),
+      named_cad("step_schema", &CadChoices::schema, kSchemas, CadFormat::step_ap242, "--step-schema"),
+      cad<bool>(
+          "cad_safe", &CadChoices::safe, [](const bool& b) { return Json(b); },
+          [](const Json& j) { return j.get<bool>(); },
+          [](const bool& b) { return std::string(b ? "--cad-safe" : ""); }),
+      cad<ToleranceValue>(
+          "cad_tol", &CadChoices::tolerance, [](const ToleranceValue& t) { return Json(to_text(t)); },
+          [](const Json& j) { return parse_tolerance(j.get<std::string>()); },
+          [](const ToleranceValue& t) { return "--cad-tol " + to_text(t); }),
   };
   return rows;
 }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <ostream>
 
+#include "knotfit/cad.h"
 #include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
 #include "text_values.h"
@@ -25,15 +26,24 @@ struct Extension {
   std::string_view what;
 };
 constexpr Extension kExtensions[] = {
-    {".json", OutputKind::surface, "the surface"}, {".csv", OutputKind::table, "a table of points"},
-    {".asc", OutputKind::raster, "heights"},       {".grd", OutputKind::raster, "heights"},
-    {".png", OutputKind::picture, "a picture"},    {".svg", OutputKind::picture, "a picture"},
-    {".pdf", OutputKind::picture, "a picture"},    {".obj", OutputKind::mesh, "a mesh"},
-    {".ply", OutputKind::mesh, "a mesh"},          {".vts", OutputKind::mesh, "a VTK grid"},
+    {".json", OutputKind::surface, "the surface"},
+    {".csv", OutputKind::table, "a table of points"},
+    {".asc", OutputKind::raster, "heights"},
+    {".grd", OutputKind::raster, "heights"},
+    {".png", OutputKind::picture, "a picture"},
+    {".svg", OutputKind::picture, "a picture"},
+    {".pdf", OutputKind::picture, "a picture"},
+    {".obj", OutputKind::mesh, "a mesh"},
+    {".ply", OutputKind::mesh, "a mesh"},
+    {".vts", OutputKind::mesh, "a VTK grid"},
+    {".step", OutputKind::cad, "STEP"},
+    {".stp", OutputKind::cad, "STEP"},
+    {".igs", OutputKind::cad, "IGES"},
+    {".iges", OutputKind::cad, "IGES"},
 };
 // Formats that have their place, but not in this version.
-constexpr std::string_view kLater[] = {".step", ".stp", ".iges", ".igs",  ".stl", ".off", ".vtk",
-                                       ".vtu",  ".vtp", ".tif",  ".tiff", ".las", ".laz", ".npy"};
+constexpr std::string_view kLater[] = {".stl", ".off",  ".vtk", ".vtu", ".vtp",
+                                       ".tif", ".tiff", ".las", ".laz", ".npy"};
 
 constexpr double kMostCells = 4e8;
 
@@ -49,7 +59,11 @@ std::string extensions() {
 OutputFile classify(const std::string& path) {
   const std::string extension = extension_of(path);
   for (const Extension& e : kExtensions)
-    if (extension == e.name) return {path, e.kind, extension};
+    if (extension == e.name) {
+      if (e.kind == OutputKind::cad && !cad_available())
+        throw InvalidInput(path + ": this knotfit was built without STEP and IGES");
+      return {path, e.kind, extension};
+    }
   for (const std::string_view later : kLater)
     if (extension == later)
       throw InvalidInput(fmt::format("{}: writing {} is not supported by this version; outputs are {}", path,
@@ -74,6 +88,7 @@ std::vector<FormatInfo> all_formats() {
   for (FormatInfo format : formats()) {
     // Not a data format, but eval, info and convert read it.
     if (format.extensions.find(".json") != std::string_view::npos) format.reads = true;
+    if (format.name == "step" || format.name == "iges") format.reads = format.writes = cad_available();
     all.push_back(format);
   }
   all.push_back({"picture", ".png .svg .pdf", "the surface with its knot lines and errors", false, true});

@@ -13,7 +13,7 @@
 #include "options.h"
 namespace knotfit::tool {
 
-enum class OutputKind { surface, table, raster, picture, mesh };
+enum class OutputKind { surface, table, raster, picture, mesh, cad };
 
 struct OutputFile {
   std::string path;

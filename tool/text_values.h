@@ -26,6 +26,10 @@ inline constexpr Named<DuplicateRule> kDuplicateRules[] = {{DuplicateRule::fail,
                                                            {DuplicateRule::highest, "highest"}};
 inline constexpr Named<CornerRule> kCornerRules[] = {
     {CornerRule::automatic, "auto"}, {CornerRule::sharpest, "sharpest"}, {CornerRule::search, "search"}};
+inline constexpr Named<CadUnit> kUnits[] = {
+    {CadUnit::millimetre, "mm"}, {CadUnit::metre, "m"}, {CadUnit::inch, "inch"}};
+inline constexpr Named<CadFormat> kSchemas[] = {{CadFormat::step_ap214, "ap214"},
+                                                {CadFormat::step_ap242, "ap242"}};
 inline constexpr Named<bool> kSwitch[] = {{true, "on"}, {false, "off"}};
 
 // Every function below throws InvalidInput that quotes the text and says what is wanted.

@@ -27,6 +27,12 @@ std::vector<double> knot_gains(FitProblem& fitted, bool along_v) {
   const int m = along.degree(), reach = (m + 1) / 2 + 1, d = points.dimension();
   const Index spans = along.spans(), nj = across.functions();
 
+  if (static_cast<Index>(residual.size()) != points.size() * d) {  // nothing was ever solved: the widest span
+    std::vector<double> lengths(spans);
+    for (Index s = 0; s < spans; ++s) lengths[s] = along.length(s);
+    return lengths;
+  }
+
   // The axis with a knot added at the middle of span s, and the function centred on it.
   const std::vector<double> interior = along.knots().interior();
   std::vector<Axis> refined;

@@ -40,6 +40,9 @@ constexpr std::array kFormats = {
     Format{
         {"vtk", ".vts", "VTK structured grid of the surface, with error, normal and curvature", false, true},
         nullptr},
+    // Read and written by cad.h, where it is built in.
+    Format{{"step", ".step .stp", "B-spline surfaces for CAD (AP214, AP242)", false, false}, nullptr},
+    Format{{"iges", ".igs .iges", "B-spline surfaces for CAD", false, false}, nullptr},
     Format{{"knotfit-json", ".json", "a knotfit surface", false, true}, nullptr},
 };
 
@@ -51,8 +54,7 @@ constexpr std::array<FormatInfo, kFormats.size()> infos() {
 constexpr std::array kInfos = infos();
 
 // Clouds, rasters and CAD files of later versions: a clearer word than "unknown".
-constexpr std::string_view kLater =
-    " .tif .tiff .las .laz .pcd .vtk .vtp .step .stp .igs .iges .dem .img .nc .gpkg ";
+constexpr std::string_view kLater = " .tif .tiff .las .laz .pcd .vtk .vtp .dem .img .nc .gpkg ";
 
 /// Extension of the last part of a path, in lower case with its dot; empty: none.
 std::string extension_of(const std::string& path) {

@@ -144,7 +144,7 @@ class Convert(ToolTest):
         self.refused("convert", "terrain.asc", words=["--output"])
         self.refused("convert", "terrain.asc", "-o", "a.png", words=["a.png", "knotfit fit"])
         self.refused("convert", "terrain.asc", "-o", "a.json", words=["a.json", "knotfit fit"])
-        self.refused("convert", "terrain.asc", "-o", "a.step", words=["not supported by this version"])
+        self.refused("convert", "terrain.asc", "-o", "a.step", words=["a.step", "knotfit fit"])
         self.refused("convert", "terrain.asc", "-o", "a.tif", words=["not supported by this version"])
         self.refused("convert", "terrain.asc", "-o", "terrain.asc", "--force", words=["is the input"])
         self.refused("convert", "terrain.asc", "-o", "missing/a.csv", words=["missing"])

@@ -78,7 +78,7 @@ class Help(ToolTest):
         stored = self.run_json("fit", "points.csv", "--control-points", "5")["options"]
         others = {"--help", "--output", "--force", "--json", "--threads", "--quiet", "--options", "--knots-u",
                   "--knots-v", "--knots-from", "--no-height-field", "--no-rescale-parameters", "--no-fill-holes", "--no-largest-part",
-                  "--no-orient", "--no-drop-degenerate", "--no-new-parameters"}
+                  "--no-orient", "--no-drop-degenerate", "--no-new-parameters", "--no-cad-safe"}
         names = {"--tol": "tolerance", "--within": "measure", "--rms": "measure"}
         for option in options_of(self.help("fit")) - others:
             self.assertIn(names.get(option, option[2:].replace("-", "_")), stored)

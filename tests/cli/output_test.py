@@ -30,7 +30,7 @@ class Outputs(ToolTest):
             with self.subTest(name=name):
                 self.refused("fit", "points.csv", *SIZE, "-o", name,
                              words=[name, ".json", ".csv", ".asc", ".grd", ".png", ".svg", ".pdf"])
-        for name in ("s.step", "s.STP", "s.igs", "s.stl", "s.vtk"):
+        for name in ("s.stl", "s.vtk"):
             with self.subTest(name=name):
                 self.refused("fit", "points.csv", *SIZE, "-o", name, words=["not supported by this version"])
 

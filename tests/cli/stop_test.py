@@ -13,7 +13,7 @@ import unittest
 from harness import TIMEOUT, TOOL, ToolTest, default_signals, step
 
 # A search that would take minutes: ended by the signal.
-LONG = ("fit", "points.csv", "--tol", "0.005%", "--max-fits", "1000000", "--max-control-points", "4000")
+LONG = ("fit", "points.csv", "--tol", "1e-7%", "--knots", "optimal", "--control-points", "60x60")
 
 
 class Stop(ToolTest):

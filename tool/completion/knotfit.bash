@@ -16,11 +16,13 @@ _knotfit() {
     --spacing) COMPREPLY=($(compgen -W "chord centripetal uniform" -- "$current")); return ;;
     --corners) COMPREPLY=($(compgen -W "auto sharpest search" -- "$current")); return ;;
     --duplicates) COMPREPLY=($(compgen -W "fail mean lowest highest" -- "$current")); return ;;
+    --unit) COMPREPLY=($(compgen -W "mm m inch" -- "$current")); return ;;
+    --step-schema) COMPREPLY=($(compgen -W "ap214 ap242" -- "$current")); return ;;
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --points | --options | --knots-from | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
     --tol | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
       --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
-      --derivatives | --derivative | --omega | --samples) return ;;
+      --derivatives | --derivative | --omega | --samples | --name | --cad-tol | --face) return ;;
   esac
 
   if [[ -z $command ]]; then
@@ -29,19 +31,20 @@ _knotfit() {
   fi
   local input="--input-format --columns --nodata" output="-o --output --force"
   local mesh="--largest-part --orient --drop-degenerate --corners --omega --fill-holes"
+  local surface="--unit --face" cad="--name --step-schema --cad-safe --cad-tol"
   case $command in
     fit)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
         --knots --knots-u --knots-v --knots-from --refine --feature --smoothing $input --height-field
-        --spacing --rescale-parameters --duplicates $mesh --new-parameters $output --samples --cell --json --between
+        --spacing --rescale-parameters --duplicates $mesh --new-parameters $output --samples --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
-        --no-orient --no-drop-degenerate --no-new-parameters" ;;
+        --no-orient --no-drop-degenerate --no-new-parameters --no-cad-safe" ;;
     parameterize) options="$mesh --input-format $output --json --threads --quiet" ;;
     eval)
-      options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $input $output
+      options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $surface $input $output
         --json --threads" ;;
-    info) options="$input --json" ;;
-    convert) options="$input $output --samples --cell --grid" ;;
+    info) options="$surface $input --json" ;;
+    convert) options="$surface $input $output $cad --samples --cell --grid" ;;
     methods | formats) options="--names --json" ;;
   esac
   if [[ $current == -* ]]; then

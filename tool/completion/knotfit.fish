@@ -29,6 +29,13 @@ complete -c knotfit -n "__fish_seen_subcommand_from fit parameterize eval" -l th
 complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cell -x -d 'Cell size of an .asc output'
 complete -c knotfit -n "__fish_seen_subcommand_from eval convert" -l grid -x -d 'Places over the domain, NxM'
 
+complete -c knotfit -n $read -l unit -x -a 'mm m inch' -d 'Unit of STEP and IGES files'
+complete -c knotfit -n "__fish_seen_subcommand_from eval info convert" -l face -x -d 'Which surface of a STEP or IGES file'
+complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l name -x -d 'Name of the part'
+complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l step-schema -x -a 'ap214 ap242' -d 'Schema of STEP outputs'
+complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cad-safe -d 'Faces that every CAD system digests'
+complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cad-tol -x -d 'What --cad-safe may move the surface by'
+
 complete -c knotfit -n $fit -l tol -x -d 'Largest error allowed, X or X%'
 complete -c knotfit -n $fit -l within -x -d 'Share of the points that must hold it'
 complete -c knotfit -n $fit -l rms -d 'The root mean square counts'
@@ -66,6 +73,7 @@ complete -c knotfit -n $fit -l no-largest-part -d 'Undo a stored option'
 complete -c knotfit -n $fit -l no-orient -d 'Undo a stored option'
 complete -c knotfit -n $fit -l no-drop-degenerate -d 'Undo a stored option'
 complete -c knotfit -n $fit -l no-new-parameters -d 'Undo a stored option'
+complete -c knotfit -n $fit -l no-cad-safe -d 'Undo a stored option'
 
 complete -c knotfit -n $eval -l at -x -d 'One place, A,B'
 complete -c knotfit -n $eval -l points -r -d 'Places of a file'

@@ -1,0 +1,22 @@
+// Files that hold surfaces: knotfit JSON, JSON of other programs, STEP and IGES.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "knotfit/io.h"
+#include "options.h"
+namespace knotfit::tool {
+
+/// By its extension, the file holds surfaces and not data.
+bool holds_surfaces(const std::string& path);
+bool is_cad_file(const std::string& path);
+
+/// Every surface of the file. Where it does not say how its parameters are meant, the knots are brought to [0,1]
+/// and the map tells their own range.
+std::vector<SurfaceDocument> read_surfaces(const std::string& path, const SurfaceChoices& choices);
+
+/// The one that --face names, or the only one.
+/// \throws InvalidInput  there are several, or none of that number
+SurfaceDocument read_one_surface(const std::string& path, const SurfaceChoices& choices);
+
+}  // namespace knotfit::tool
