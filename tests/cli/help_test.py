@@ -44,7 +44,8 @@ class Help(ToolTest):
                   "--max-control-points --max-fits --time-limit --height-field --spacing --rescale-parameters "
                   "--duplicates --columns --input-format --nodata --feature --smoothing --between --cell --fill-holes "
                   "--output --force --threads --quiet --json --options --largest-part --orient --drop-degenerate "
-                  "--corners --omega --new-parameters --samples").split()
+                  "--corners --omega --new-parameters --samples --unit --name --step-schema "
+                  "--cad-safe --cad-tol").split()
         self.assertLessEqual(set(wanted), options_of(self.help("fit")))
         wanted = "--at --points --grid --derivatives --derivative --normals --curvature --clamp --json --output".split()
         self.assertLessEqual(set(wanted), options_of(self.help("eval")))
