@@ -75,6 +75,7 @@ Corners search_corners(const Border& border, const CornerSearch& search,
     starts.push_back(quarters);
   }
   std::vector<Found> found;
+  found.reserve(starts.size());
   for (const Corners& corners : starts) found.push_back({costs(corners), corners});
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.cost < b.cost; });
