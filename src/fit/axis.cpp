@@ -60,17 +60,26 @@ Axis::Axis(int degree, std::span<const double> interior)
 }
 
 std::vector<double> Axis::gram(int derivative) const {
-  const int w = width(), q = moments();
-  const GaussRule& rule = gauss_rule(degree_);
-  std::vector<double> result(functions() * w, 0.0), d((derivative + 1) * w);
+  const int w = width();
+  std::vector<double> result(functions() * w, 0.0), c(w * w);
   for (Index s = 0; s < spans_; ++s) {
     if (length(s) <= 0) continue;
-    for (int g = 0; g < q; ++g) {
-      basis_derivatives(knots_, s + degree_, low(s) + length(s) * (rule.node[g] + 1) / 2, derivative, d);
-      const double* b = d.data() + derivative * w;
+    std::copy_n(basis(s), w * w, c.begin());
+    // P_a' = (2a-1) P_{a-1} + (2a-5) P_{a-3} + ... [Abramowitz 8.5.4]: from the top, row b of the derivative
+    // is (2b+1) times the sum of the rows b+1, b+3, ...
+    for (int r = 0; r < derivative; ++r)
+      for (int i = 0; i < w; ++i) {
+        double even = 0, odd = 0;
+        for (int a = w - 1; a >= 0; --a) {
+          double& above = a % 2 == 0 ? odd : even;
+          (a % 2 == 0 ? even : odd) += c[a * w + i];
+          c[a * w + i] = (2 * a + 1) * scale_[s] * above;
+        }
+      }
+    for (int a = 0; a < w; ++a) {
+      const double norm = length(s) / (2 * a + 1);  // int P_a^2 over the span
       for (int i = 0; i < w; ++i)
-        for (int k = 0; k <= i; ++k)
-          result[(s + i) * w + k] += rule.weight[g] * length(s) / 2 * b[i] * b[i - k];
+        for (int k = 0; k <= i; ++k) result[(s + i) * w + k] += norm * c[a * w + i] * c[a * w + i - k];
     }
   }
   return result;

@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "base/narrow.h"
+#include "base/parallel.h"
+#include "fit/kernels.h"
 
 extern "C" {
 void dpbtrf_(const char* uplo, const int* n, const int* kd, double* ab, const int* ldab, int* info);
 void dpbtrs_(const char* uplo, const int* n, const int* kd, const int* nrhs, const double* ab,
              const int* ldab, double* b, const int* ldb, int* info);
-void dtbtrs_(const char* uplo, const char* trans, const char* diag, const int* n, const int* kd,
-             const int* nrhs, const double* ab, const int* ldab, double* b, const int* ldb, int* info);
 void dpbcon_(const char* uplo, const int* n, const int* kd, const double* ab, const int* ldab,
              const double* anorm, double* rcond, double* work, int* iwork, int* info);
 // Where the LAPACK is OpenBLAS: its own threads change the bits and, on a busy machine, are
@@ -62,10 +62,15 @@ bool BandMatrix::factor() {
   one_blas_thread();
   const int n = narrow(size_), kd = narrow(bandwidth_), ld = kd + 1;
   int info = 0;
+  std::vector<double> diagonal(static_cast<std::size_t>(size_));
+  for (Index j = 0; j < size_; ++j) diagonal[j] = data_[j * ld];
   dpbtrf_("L", &n, &kd, data_.data(), &ld, &info);
   if (info != 0) return false;
-  for (Index j = 0; j < size_; ++j)
-    if (!std::isfinite(data_[j * (bandwidth_ + 1)])) return false;
+  // A pivot that is rounding of its diagonal, or no number: singular to working precision.
+  for (Index j = 0; j < size_; ++j) {
+    const double pivot = data_[j * ld];
+    if (!(pivot * pivot > 8 * std::numeric_limits<double>::epsilon() * diagonal[j])) return false;
+  }
   return true;
 }
 
@@ -75,10 +80,25 @@ void BandMatrix::solve(double* x, Index columns) const {
   dpbtrs_("L", &n, &kd, &rhs, data_.data(), &ld, x, &n, &info);
 }
 
-void BandMatrix::forward(double* x, Index columns) const {
-  const int n = narrow(size_), kd = narrow(bandwidth_), ld = kd + 1, rhs = narrow(columns);
-  int info = 0;
-  dtbtrs_("L", "N", "N", &n, &kd, &rhs, data_.data(), &ld, x, &n, &info);
+void BandMatrix::forward(Panel& x) const {
+  parallel_for(x.blocks(), [&](Index b) { forward_block(data_.data(), size_, bandwidth_, x.block(b)); });
+}
+
+void Panel::add_gram(Index begin, Index count, double factor, double* matrix) const {
+  if (count == 0) return;
+  const Index first = begin / kBlock, last = (begin + count - 1) / kBlock;
+  double products[kBlock * kBlock];
+  for (Index a = first; a <= last; ++a)
+    for (Index b = first; b <= a; ++b) {
+      block_products(block(a), block(b), rows_, products);
+      for (Index i = 0; i < kBlock; ++i)
+        for (Index j = 0; j < kBlock; ++j) {
+          const Index row = a * kBlock + i - begin, column = b * kBlock + j - begin;
+          if (row < 0 || row >= count || column < 0 || column >= count) continue;
+          matrix[row * count + column] += factor * products[i * kBlock + j];
+          if (a != b) matrix[column * count + row] += factor * products[i * kBlock + j];
+        }
+    }
 }
 
 double BandMatrix::condition(double norm) const {

@@ -5,6 +5,28 @@
 #include "knotfit/index.h"
 namespace knotfit {
 
+/// Columns of right-hand sides, side by side in blocks of 8, so that one pass over the factor serves a block.
+class Panel {
+ public:
+  static constexpr Index kBlock = 8;
+  Panel(Index rows, Index columns)
+      : rows_(rows), columns_(columns), data_(rows * kBlock * ((columns + kBlock - 1) / kBlock), 0.0) {}
+  Index rows() const { return rows_; }
+  Index columns() const { return columns_; }
+  double& operator()(Index row, Index column) {
+    return data_[(column / kBlock * rows_ + row) * kBlock + column % kBlock];
+  }
+  double* block(Index b) { return data_.data() + b * rows_ * kBlock; }
+  const double* block(Index b) const { return data_.data() + b * rows_ * kBlock; }
+  Index blocks() const { return (columns_ + kBlock - 1) / kBlock; }
+  /// Adds factor * X^T X of columns begin..begin+count-1 to matrix, count x count.
+  void add_gram(Index begin, Index count, double factor, double* matrix) const;
+
+ private:
+  Index rows_, columns_;
+  std::vector<double> data_;
+};
+
 /// Lower band storage: entry (i, j), j <= i <= j + bandwidth, at [j * (bandwidth + 1) + i - j].
 class BandMatrix {
  public:
@@ -17,12 +39,13 @@ class BandMatrix {
   void add(Index i, Index j, double value) { data_[j * (bandwidth_ + 1) + i - j] += value; }
   double trace() const;
   double norm_1() const;  ///< largest column sum of the full symmetric matrix
-  /// Cholesky factor in place (dpbtrf). \return false where the matrix is not positive definite
+  /// Cholesky factor in place (dpbtrf). \return false where the matrix is not positive definite to working
+  /// precision
   bool factor();
   /// Solves with the factor in place; x is size x columns, column after column (dpbtrs).
   void solve(double* x, Index columns) const;
-  /// x <- L^-1 x with the factor L (dtbtrs).
-  void forward(double* x, Index columns) const;
+  /// x <- L^-1 x with the factor L.
+  void forward(Panel& x) const;
   /// 1-norm condition estimate from the factor (dpbcon). \param norm  norm_1() before factor()
   double condition(double norm) const;
 

@@ -113,15 +113,19 @@ template <class Counts>
 }
 
 template <class Counts>
-[[gnu::always_inline]] inline void residuals(const Counts& n, const CellOrder& order, const CellPiece& piece,
-                                             const double* c, double* x) {
+[[gnu::always_inline]] inline ResidualSums residuals(const Counts& n, const CellOrder& order,
+                                                     const CellPiece& piece, Index counted, const double* c,
+                                                     double* x) {
   const int dimension = order.dimension();
+  const bool all_count = counted >= order.size();
+  ResidualSums sums;
   alignas(64) Lanes p, q;
-  alignas(64) double t[kLanes], s[kLanes], sum[kLanes], row[kLanes];
+  alignas(64) double t[kLanes], s[kLanes], sum[kLanes], row[kLanes], square[kLanes];
   for (Index begin = piece.begin; begin < piece.end; begin += kLanes) {
     const int count = load_lanes(order, begin, piece.end, t, s);
     legendre_lanes(t, n.wo, p);
     legendre_lanes(s, n.wi, q);
+    for (int k = 0; k < kLanes; ++k) square[k] = 0;
     for (int e = 0; e < dimension; ++e) {
       const double* ce = c + e * n.wo * n.wi;
       for (int k = 0; k < kLanes; ++k) sum[k] = 0;
@@ -131,37 +135,48 @@ template <class Counts>
           for (int k = 0; k < kLanes; ++k) row[k] += ce[a * n.wi + b] * q[b][k];
         for (int k = 0; k < kLanes; ++k) sum[k] += row[k] * p[a][k];
       }
-      for (int k = 0; k < count; ++k)
-        x[order.stored(begin + k) * dimension + e] = sum[k] - order.value(begin + k)[e];
+      for (int k = 0; k < count; ++k) {
+        const double r = sum[k] - order.value(begin + k)[e];
+        x[order.stored(begin + k) * dimension + e] = r;
+        square[k] += r * r;
+      }
+    }
+    for (int k = 0; k < count; ++k) {
+      sums.weighted += order.weight(begin + k) * square[k];
+      if (!all_count && order.input(order.stored(begin + k)) >= counted) continue;
+      sums.squares += square[k];
+      if (!(square[k] <= sums.max)) sums.max = square[k];  // a NaN stays
     }
   }
+  return sums;
 }
 
 // One clone a kernel, so that the inlined loops are compiled for each instruction set.
-#define KNOTFIT_KERNEL(name, loop, params, args) \
-  KNOTFIT_CLONES void name##_1 params {          \
-    loop(StaticCounts<1>{}, args);               \
-  }                                              \
-  KNOTFIT_CLONES void name##_2 params {          \
-    loop(StaticCounts<2>{}, args);               \
-  }                                              \
-  KNOTFIT_CLONES void name##_3 params {          \
-    loop(StaticCounts<3>{}, args);               \
-  }                                              \
-  KNOTFIT_CLONES void name##_4 params {          \
-    loop(StaticCounts<4>{}, args);               \
-  }                                              \
-  KNOTFIT_CLONES void name##_5 params {          \
-    loop(StaticCounts<5>{}, args);               \
+#define KNOTFIT_KERNEL(result, name, loop, params, args) \
+  KNOTFIT_CLONES result name##_1 params {                \
+    return loop(StaticCounts<1>{}, args);                \
+  }                                                      \
+  KNOTFIT_CLONES result name##_2 params {                \
+    return loop(StaticCounts<2>{}, args);                \
+  }                                                      \
+  KNOTFIT_CLONES result name##_3 params {                \
+    return loop(StaticCounts<3>{}, args);                \
+  }                                                      \
+  KNOTFIT_CLONES result name##_4 params {                \
+    return loop(StaticCounts<4>{}, args);                \
+  }                                                      \
+  KNOTFIT_CLONES result name##_5 params {                \
+    return loop(StaticCounts<5>{}, args);                \
   }
 #define KNOTFIT_ARGS(...) __VA_ARGS__
 
-KNOTFIT_KERNEL(moments_kernel, moments, (const CellOrder& o, const CellPiece& p, double* m, double* r),
+KNOTFIT_KERNEL(void, moments_kernel, moments, (const CellOrder& o, const CellPiece& p, double* m, double* r),
                KNOTFIT_ARGS(o, p, m, r))
-KNOTFIT_KERNEL(rhs_kernel, rhs_moments, (const CellOrder& o, const CellPiece& p, const double* x, double* r),
-               KNOTFIT_ARGS(o, p, x, r))
-KNOTFIT_KERNEL(residual_kernel, residuals,
-               (const CellOrder& o, const CellPiece& p, const double* c, double* x), KNOTFIT_ARGS(o, p, c, x))
+KNOTFIT_KERNEL(void, rhs_kernel, rhs_moments,
+               (const CellOrder& o, const CellPiece& p, const double* x, double* r), KNOTFIT_ARGS(o, p, x, r))
+KNOTFIT_KERNEL(ResidualSums, residual_kernel, residuals,
+               (const CellOrder& o, const CellPiece& p, Index n, const double* c, double* x),
+               KNOTFIT_ARGS(o, p, n, c, x))
 
 }  // namespace
 
@@ -184,14 +199,39 @@ void add_rhs_moments(const CellOrder& order, const CellPiece& piece, int degree_
     rhs_moments(DynamicCounts(degree_outer, degree_inner), order, piece, x, rhs);
 }
 
-void add_residuals(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
-                   const double* c, double* x) {
+ResidualSums set_residuals(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
+                           Index counted, const double* c, double* x) {
   constexpr std::array kernels{residual_kernel_1, residual_kernel_2, residual_kernel_3, residual_kernel_4,
                                residual_kernel_5};
   if (degree_outer == degree_inner && degree_outer <= 5)
-    kernels[degree_outer - 1](order, piece, c, x);
-  else
-    residuals(DynamicCounts(degree_outer, degree_inner), order, piece, c, x);
+    return kernels[degree_outer - 1](order, piece, counted, c, x);
+  return residuals(DynamicCounts(degree_outer, degree_inner), order, piece, counted, c, x);
+}
+
+KNOTFIT_CLONES void forward_block(const double* factor, Index rows, Index bandwidth, double* x) {
+  Index first = 0;
+  for (; first < rows; ++first) {  // rows of zeros stay zero
+    bool zero = true;
+    for (int c = 0; c < kLanes; ++c) zero = zero && x[first * kLanes + c] == 0;
+    if (!zero) break;
+  }
+  for (Index j = first; j < rows; ++j) {
+    const double* column = factor + j * (bandwidth + 1);
+    double solved[kLanes];
+    for (int c = 0; c < kLanes; ++c) x[j * kLanes + c] = solved[c] = x[j * kLanes + c] / column[0];
+    const Index below = std::min(bandwidth, rows - 1 - j);
+    for (Index k = 1; k <= below; ++k)
+      for (int c = 0; c < kLanes; ++c) x[(j + k) * kLanes + c] -= column[k] * solved[c];
+  }
+}
+
+KNOTFIT_CLONES void block_products(const double* x, const double* y, Index rows, double* products) {
+  double sum[kLanes][kLanes] = {};
+  for (Index row = 0; row < rows; ++row)
+    for (int i = 0; i < kLanes; ++i)
+      for (int j = 0; j < kLanes; ++j) sum[i][j] += x[row * kLanes + i] * y[row * kLanes + j];
+  for (int i = 0; i < kLanes; ++i)
+    for (int j = 0; j < kLanes; ++j) products[i * kLanes + j] = sum[i][j];
 }
 
 }  // namespace knotfit

@@ -1,6 +1,7 @@
-// The loops over points. One .cpp with a reference in tests/fit: each kernel takes one piece of one
+// The loops over points, and over rows of right-hand sides. One .cpp with a reference in tests/fit: each kernel takes one piece of one
 // cell. Legendre counts are compile-time for equal degrees 1 to 5 and run-time otherwise.
 #pragma once
+#include "fit/backend.h"
 #include "fit/cell_order.h"
 namespace knotfit {
 
@@ -19,7 +20,15 @@ void add_rhs_moments(const CellOrder& order, const CellPiece& piece, int degree_
                      const double* x, double* rhs);
 
 /// x[e] of each point (stored order) = sum_ab c[(e * wo + a) * wi + b] P_a(t) P_b(s) - value, for the piece.
-void add_residuals(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
-                   const double* c, double* x);
+/// \param counted  input indices below it count in `squares` and `max` of the sums
+/// \return their sums, `max` squared
+ResidualSums set_residuals(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
+                           Index counted, const double* c, double* x);
+
+/// x <- L^-1 x for 8 columns side by side, x rows x 8; L in lower band storage.
+void forward_block(const double* factor, Index rows, Index bandwidth, double* x);
+
+/// products[i * 8 + j] = sum over rows of x[row * 8 + i] y[row * 8 + j].
+void block_products(const double* x, const double* y, Index rows, double* products);
 
 }  // namespace knotfit

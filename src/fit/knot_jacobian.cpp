@@ -1,10 +1,12 @@
 #include "fit/knot_jacobian.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 
+#include "fit/banded.h"
 #include "fit/gauss_rule.h"
 #include "fit/kernels.h"
+#include "fit/matrices.h"
 #include "fit/scattered.h"
 #include "fit/spans_in_turn.h"
 #include "knotfit/basis.h"
@@ -52,7 +54,7 @@ std::vector<double> knot_derivatives(const Axis& axis) {
 namespace {
 
 /// Legendre coefficients of the products P_a P_{a2 <= a}: pairs x moments.
-std::vector<double> legendre_products(int degree) {
+std::vector<double> make_legendre_products(int degree) {
   const GaussRule& rule = gauss_rule(degree);
   const int w = degree + 1, q = 2 * degree + 1;
   std::vector<double> result(w * (w + 1) / 2 * q, 0.0);
@@ -66,26 +68,40 @@ std::vector<double> legendre_products(int degree) {
   return result;
 }
 
+const std::vector<double>& legendre_products(int degree) {
+  static const auto all = [] {
+    std::array<std::vector<double>, kMaxDegree + 1> products;
+    for (int m = 1; m <= kMaxDegree; ++m) products[m] = make_legendre_products(m);
+    return products;
+  }();
+  return all[degree];
+}
+
 int pair_index(int a, int b) {
   return a >= b ? a * (a + 1) / 2 + b : b * (b + 1) / 2 + a;
 }
 
 }  // namespace
 
+namespace {
+
+/// Sums of one outer span.
+struct SpanSums {
+  std::vector<double> matrix, gradient;  // knots x knots, knots
+};
+
+}  // namespace
+
 KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, bool golub_pereyra) const {
-  using Dense = Eigen::MatrixXd;
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  using Map = Eigen::Map<const RowMajor>;
   const Axis &outer = *outer_, &inner = *inner_;
-  const int d = order_.dimension(), mo = outer.degree(), mi = inner.degree(), wo = outer.width(),
-            wi = inner.width();
+  const int d = order_.dimension(), mo = outer.degree(), mi = inner.degree();
   const Index no = outer.functions(), ni = inner.functions(), n = no * ni;
   const Index ko = outer.spans() - 1, ki = inner.spans() - 1, knots = ko + ki;
   // Columns in the order outer knots, inner knots; put right at the end.
-  const std::vector<double> do_ = knot_derivatives(outer), di_ = knot_derivatives(inner);
-  const std::vector<double> lo = legendre_products(mo), li = legendre_products(mi);
-  const Map po(lo.data(), outer.pairs(), outer.moments()), pi(li.data(), inner.pairs(), inner.moments());
-  const int stride = padded(inner.moments()), alive = 2 * mo + 2 * mi, coefficients = wo * wi;
+  const std::vector<double> outer_derivatives = knot_derivatives(outer),
+                            inner_derivatives = knot_derivatives(inner);
+  const std::vector<double>&outer_products = legendre_products(mo), &inner_products = legendre_products(mi);
+  const int stride = padded(inner.moments()), coefficients = outer.width() * inner.width();
   const Index matrix_size = Index{outer.moments()} * stride, rhs_size = Index{d} * coefficients;
   const auto& start = order_.piece_start();
   const auto& pieces = order_.pieces();
@@ -96,110 +112,111 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
     add_rhs_moments(order_, pieces[i], mo, mi, residual_.data(), residual_moments.data() + i * rhs_size);
   });
 
-  struct Partial {
-    Dense matrix;
-    Eigen::VectorXd gradient;
-  };
-  std::vector<Partial> partial(outer.spans());
-  Dense projected = Dense::Zero(n, knots * d), weighted;  // A^T W D and, where asked, Q
-  if (golub_pereyra) weighted.setZero(n, knots * d);
-  for_spans_in_turn(outer, [&](Index s) {
-    Partial& sum = partial[s];
-    sum.matrix.setZero(knots, knots);
-    sum.gradient.setZero(knots);
-    if (outer.length(s) <= 0) return;
-    const Map bo(outer.basis(s), wo, wo);
-    RowMajor c(wo, wi), left(wo, wi), right(wo, wi), y(wo, wi), z(wo, wi), r(wo, wi);
-    Dense gram(outer.pairs(), inner.pairs()), full(coefficients, coefficients), columns(coefficients, alive),
-        image(coefficients, alive), products(alive, alive);
-    std::vector<Index> id(alive);
-    for (Index t = 0; t < inner.spans(); ++t) {
-      const Index cell = s * inner.spans() + t;
-      if (start[cell] == start[cell + 1]) continue;
-      const Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>> moments(
-          moments_.data() + start[cell] * (matrix_size + rhs_size), outer.moments(), inner.moments(),
-          Eigen::OuterStride<>(stride));
-      gram.noalias() = (po * moments) * pi.transpose();
-      for (int a = 0; a < wo; ++a)
-        for (int b = 0; b < wi; ++b)
-          for (int a2 = 0; a2 < wo; ++a2)
-            for (int b2 = 0; b2 < wi; ++b2)
-              full(a * wi + b, a2 * wi + b2) = gram(pair_index(a, a2), pair_index(b, b2));
+  std::vector<SpanSums> partial(outer.spans());
+  Panel projected(n, knots * d), weighted(golub_pereyra ? n : 0, knots * d);  // A^T W D and, where asked, Q
+  for_degrees(mo, mi, [&]<int degree>() {
+    constexpr int w = width_of(degree), q = moments_of(degree), np = pairs_of(degree);
+    constexpr int ww = degree < 0 ? Eigen::Dynamic : (degree + 1) * (degree + 1);
+    constexpr int na = degree < 0 ? Eigen::Dynamic : 4 * degree;
+    const int wo = outer.width(), wi = inner.width(), alive = 2 * mo + 2 * mi;
+    const ConstMap<np, q> po(outer_products.data(), outer.pairs(), outer.moments()),
+        pi(inner_products.data(), inner.pairs(), inner.moments());
+    for_spans_in_turn(outer, [&](Index s) {
+      SpanSums& sum = partial[s];
+      sum.matrix.assign(knots * knots, 0.0);
+      sum.gradient.assign(knots, 0.0);
+      if (outer.length(s) <= 0) return;
+      const ConstMap<w, w> bo(outer.basis(s), wo, wo);
+      Matrix<w, w> c(wo, wi), left(wo, wi), right(wo, wi), y(wo, wi), z(wo, wi), r(wo, wi);
+      Matrix<np, q> half(outer.pairs(), inner.moments());
+      Matrix<np, np> gram(outer.pairs(), inner.pairs());
+      Matrix<ww, ww> full(coefficients, coefficients);
+      // A knot a row: dS/dknot as polynomials of the cell, and the Gram matrix times them.
+      Matrix<na, ww> rows(alive, coefficients), image(alive, coefficients);
+      Matrix<na, na> products(alive, alive);
+      std::vector<Index> id(alive);
       for (int e = 0; e < 2 * mo; ++e) {
         const Index l = s - mo + e;
         id[e] = l >= 0 && l < ko ? l : -1;
       }
-      for (int e = 0; e < 2 * mi; ++e) {
-        const Index l = t - mi + e;
-        id[2 * mo + e] = l >= 0 && l < ki ? ko + l : -1;
-      }
-      const Map bi(inner.basis(t), wi, wi);
-      for (int x = 0; x < d; ++x) {
-        for (int i = 0; i < wo; ++i)
-          for (int j = 0; j < wi; ++j)
-            c(i, j) = net[(swapped_ ? (t + j) * no + s + i : (s + i) * ni + t + j) * d + x];
-        left.noalias() = c * bi.transpose();  // functions of u, powers of v
-        right.noalias() = bo * c;
-        r.setZero();
-        for (Index p = start[cell]; p < start[cell + 1]; ++p)
-          r += Map(residual_moments.data() + p * rhs_size + x * coefficients, wo, wi);
-        for (int e = 0; e < alive; ++e) {
-          if (id[e] < 0) {
-            columns.col(e).setZero();
-            continue;
-          }
-          const bool along_outer = e < 2 * mo;
-          const double* derivative = along_outer ? do_.data() + (s * 2 * mo + e) * wo * wo
-                                                 : di_.data() + (t * 2 * mi + e - 2 * mo) * wi * wi;
-          if (along_outer)
-            y.noalias() = Map(derivative, wo, wo) * left;
-          else
-            y.noalias() = right * Map(derivative, wi, wi).transpose();
-          columns.col(e) = Eigen::Map<const Eigen::VectorXd>(y.data(), coefficients);
-          sum.gradient[id[e]] += y.cwiseProduct(r).sum();
-          if (golub_pereyra) {
-            if (along_outer)
-              z.noalias() = Map(derivative, wo, wo).transpose() * (r * bi);
-            else
-              z.noalias() = (bo.transpose() * r) * Map(derivative, wi, wi);
-            for (int i = 0; i < wo; ++i)
-              for (int j = 0; j < wi; ++j) weighted((s + i) * ni + t + j, x * knots + id[e]) += z(i, j);
-          }
+      for (Index t = 0; t < inner.spans(); ++t) {
+        const Index cell = s * inner.spans() + t;
+        if (start[cell] == start[cell + 1]) continue;
+        const Eigen::Map<const Matrix<q, q>, 0, Eigen::OuterStride<>> moments(
+            moments_.data() + start[cell] * (matrix_size + rhs_size), outer.moments(), inner.moments(),
+            Eigen::OuterStride<>(stride));
+        half.noalias() = po * moments;
+        gram.noalias() = half * pi.transpose();
+        for (int a = 0; a < wo; ++a)
+          for (int a2 = 0; a2 < wo; ++a2)
+            for (int b = 0; b < wi; ++b)
+              for (int b2 = 0; b2 < wi; ++b2)
+                full(a * wi + b, a2 * wi + b2) = gram(pair_index(a, a2), pair_index(b, b2));
+        for (int e = 0; e < 2 * mi; ++e) {
+          const Index l = t - mi + e;
+          id[2 * mo + e] = l >= 0 && l < ki ? ko + l : -1;
         }
-        image.noalias() = full * columns;
-        products.noalias() = columns.transpose() * image;
-        for (int e = 0; e < alive; ++e) {
-          if (id[e] < 0) continue;
-          for (int e2 = 0; e2 < alive; ++e2)
-            if (id[e2] >= 0) sum.matrix(id[e], id[e2]) += products(e, e2);
-          y = Map(image.col(e).data(), wo, wi);
-          z.noalias() = bo.transpose() * (y * bi);
+        const ConstMap<w, w> bi(inner.basis(t), wi, wi);
+        for (int x = 0; x < d; ++x) {
           for (int i = 0; i < wo; ++i)
-            for (int j = 0; j < wi; ++j) projected((s + i) * ni + t + j, x * knots + id[e]) += z(i, j);
+            for (int j = 0; j < wi; ++j)
+              c(i, j) = net[(swapped_ ? (t + j) * no + s + i : (s + i) * ni + t + j) * d + x];
+          left.noalias() = c * bi.transpose();  // functions of u, powers of v
+          right.noalias() = bo * c;
+          r.setZero();
+          for (Index p = start[cell]; p < start[cell + 1]; ++p)
+            r += ConstMap<w, w>(residual_moments.data() + p * rhs_size + x * coefficients, wo, wi);
+          for (int e = 0; e < alive; ++e) {
+            if (id[e] < 0) {
+              rows.row(e).setZero();
+              continue;
+            }
+            const bool along_outer = e < 2 * mo;
+            const ConstMap<w, w> derivative(
+                along_outer ? outer_derivatives.data() + (s * 2 * mo + e) * wo * wo
+                            : inner_derivatives.data() + (t * 2 * mi + e - 2 * mo) * wi * wi,
+                along_outer ? wo : wi, along_outer ? wo : wi);
+            if (along_outer)
+              y.noalias() = derivative * left;
+            else
+              y.noalias() = right * derivative.transpose();
+            Eigen::Map<Matrix<w, w>>(rows.data() + e * coefficients, wo, wi) = y;
+            sum.gradient[id[e]] += y.cwiseProduct(r).sum();
+            if (golub_pereyra) {
+              if (along_outer)
+                z.noalias() = derivative.transpose() * (r * bi);
+              else
+                z.noalias() = (bo.transpose() * r) * derivative;
+              for (int i = 0; i < wo; ++i)
+                for (int j = 0; j < wi; ++j) weighted((s + i) * ni + t + j, x * knots + id[e]) += z(i, j);
+            }
+          }
+          image.noalias() = rows * full;
+          products.noalias() = rows * image.transpose();
+          for (int e = 0; e < alive; ++e) {
+            if (id[e] < 0) continue;
+            for (int e2 = 0; e2 < alive; ++e2)
+              if (id[e2] >= 0) sum.matrix[id[e] * knots + id[e2]] += products(e, e2);
+            y.noalias() = ConstMap<w, w>(image.data() + e * coefficients, wo, wi) * bi;
+            z.noalias() = bo.transpose() * y;
+            for (int i = 0; i < wo; ++i)
+              for (int j = 0; j < wi; ++j) projected((s + i) * ni + t + j, x * knots + id[e]) += z(i, j);
+          }
         }
       }
-    }
+    });
   });
 
-  Dense matrix = Dense::Zero(knots, knots);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(knots);
-  for (const Partial& p : partial) {
-    matrix += p.matrix;
-    gradient += p.gradient;
+  std::vector<double> matrix(knots * knots, 0.0), gradient(knots, 0.0);
+  for (const SpanSums& p : partial) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] += p.matrix[i];
+    for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += p.gradient[i];
   }
-  auto forward = [&](Dense& columns) {
-    parallel_chunks(
-        columns.cols(),
-        [&](Index, Index begin, Index end) { matrix_.forward(columns.data() + begin * n, end - begin); }, 8);
-  };
-  forward(projected);
-  if (golub_pereyra) forward(weighted);
+  matrix_.forward(projected);
+  if (golub_pereyra) matrix_.forward(weighted);
   for (int x = 0; x < d; ++x) {
-    matrix.noalias() -=
-        projected.middleCols(x * knots, knots).transpose() * projected.middleCols(x * knots, knots);
-    if (golub_pereyra)
-      matrix.noalias() +=
-          weighted.middleCols(x * knots, knots).transpose() * weighted.middleCols(x * knots, knots);
+    projected.add_gram(x * knots, knots, -1, matrix.data());
+    if (golub_pereyra) weighted.add_gram(x * knots, knots, 1, matrix.data());
   }
 
   KnotJacobian result;
@@ -209,7 +226,7 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
   auto place = [&](Index k) { return swapped_ ? (k < ko ? ki + k : k - ko) : k; };
   for (Index i = 0; i < knots; ++i) {
     result.gradient[place(i)] = gradient[i];
-    for (Index j = 0; j < knots; ++j) result.matrix[place(i) * knots + place(j)] = matrix(i, j);
+    for (Index j = 0; j < knots; ++j) result.matrix[place(i) * knots + place(j)] = matrix[i * knots + j];
   }
   return result;
 }

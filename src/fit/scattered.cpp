@@ -1,53 +1,13 @@
 #include "fit/scattered.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "fit/kernels.h"
+#include "fit/matrices.h"
 #include "fit/smoothing.h"
 #include "fit/spans_in_turn.h"
 namespace knotfit {
-namespace {
-
-template <int rows, int columns>
-using ConstMap =
-    Eigen::Map<const Eigen::Matrix<double, rows, columns,
-                                   (rows != 1 && columns == 1) ? Eigen::ColMajor : Eigen::RowMajor>>;
-template <int rows, int columns>
-using Matrix = Eigen::Matrix<double, rows, columns, Eigen::RowMajor>;
-
-/// Calls body.operator()<degree>() with the common degree, or <Dynamic> where the two differ or pass 5.
-template <class Body>
-void for_degrees(int outer, int inner, const Body& body) {
-  if (outer != inner) return body.template operator()<Eigen::Dynamic>();
-  switch (outer) {
-    case 1:
-      return body.template operator()<1>();
-    case 2:
-      return body.template operator()<2>();
-    case 3:
-      return body.template operator()<3>();
-    case 4:
-      return body.template operator()<4>();
-    case 5:
-      return body.template operator()<5>();
-    default:
-      return body.template operator()<Eigen::Dynamic>();
-  }
-}
-constexpr int width_of(int degree) {
-  return degree < 0 ? Eigen::Dynamic : degree + 1;
-}
-constexpr int moments_of(int degree) {
-  return degree < 0 ? Eigen::Dynamic : 2 * degree + 1;
-}
-constexpr int pairs_of(int degree) {
-  return degree < 0 ? Eigen::Dynamic : (degree + 1) * (degree + 2) / 2;
-}
-
-}  // namespace
-
 ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points)
     : order_(points), counted_(points.size()) {}
 
@@ -218,12 +178,9 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
               c(i, j) = net[(swapped_ ? (r + j) * no + s + i : (s + i) * ni + r + j) * d + e];
           Eigen::Map<Matrix<w, w>>(local.data() + e * wo * wi, wo, wi).noalias() = bo * c * bi.transpose();
         }
-        for (Index p = start[cell]; p < start[cell + 1]; ++p) {
-          add_residuals(order_, pieces[p], outer.degree(), inner.degree(), local.data(), residual_.data());
-          for (Index k = pieces[p].begin; k < pieces[p].end; ++k) {
-            sums[p] += sums_of(order_.stored(k));
-          }
-        }
+        for (Index p = start[cell]; p < start[cell + 1]; ++p)
+          sums[p] = set_residuals(order_, pieces[p], outer.degree(), inner.degree(), counted_, local.data(),
+                                  residual_.data());
       }
     });
   });

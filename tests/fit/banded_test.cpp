@@ -45,6 +45,37 @@ TEST(BandMatrix, TraceAndNormAreThoseOfTheFullMatrix) {
   }
 }
 
+TEST(BandMatrix, ForwardSolvesEveryColumnOfAPanel) {
+  Random random;
+  for (const auto& [n, bandwidth] : {std::pair<Index, Index>{1, 0}, {6, 2}, {40, 7}, {200, 30}, {5, 9}})
+    for (Index columns : {1, 8, 19}) {
+      auto [band, full] = random_matrix(random, n, bandwidth);
+      const Eigen::MatrixXd b = Eigen::MatrixXd::Random(n, columns);
+      Panel panel(n, columns);
+      for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < columns; ++j) panel(i, j) = i < j ? 0 : b(i, j);  // leading zeros as well
+      Eigen::MatrixXd expected(n, columns);
+      for (Index j = 0; j < columns; ++j)
+        for (Index i = 0; i < n; ++i) expected(i, j) = panel(i, j);
+      ASSERT_TRUE(band.factor());
+      const Eigen::LLT<Eigen::MatrixXd> llt(full);
+      llt.matrixL().solveInPlace(expected);
+      band.forward(panel);
+      const double bound = 8 * static_cast<double>(n) * kEps * full.norm() * full.inverse().norm();
+      for (Index j = 0; j < columns; ++j)
+        for (Index i = 0; i < n; ++i) EXPECT_NEAR(panel(i, j), expected(i, j), bound);
+      // X^T X of a part of the columns, added to what is there.
+      const Index first = columns / 3, count = columns - first;
+      std::vector<double> gram(static_cast<std::size_t>(count * count), 1.0);
+      panel.add_gram(first, count, -2, gram.data());
+      const Eigen::MatrixXd part = expected.rightCols(count);
+      for (Index i = 0; i < count; ++i)
+        for (Index j = 0; j < count; ++j)
+          EXPECT_NEAR(gram[i * count + j], 1 - 2 * part.col(i).dot(part.col(j)),
+                      static_cast<double>(n) * (kEps + 4 * bound) * (1 + part.squaredNorm()));
+    }
+}
+
 TEST(BandMatrix, SolvesAsTheFullMatrix) {
   Random random;
   for (const auto& [n, bandwidth] : {std::pair<Index, Index>{1, 0}, {6, 2}, {40, 7}, {200, 30}, {5, 9}})

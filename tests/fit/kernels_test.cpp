@@ -86,14 +86,20 @@ TEST_P(Kernels, ResidualsAreValueMinusData) {
   const auto [outer, inner] = GetParam();
   Random random;
   for (int dimension : {1, 3}) {
-    const Cell cell(random, dimension, false, outer, inner);
+    const Cell cell(random, dimension, dimension == 3, outer, inner);
     const int wo = outer + 1, wi = inner + 1;
     const std::vector<double> c = random_numbers(random, dimension * wo * wi);
     std::vector<double> x(static_cast<std::size_t>(cell.order.size() * dimension),
                           1e300);  // written, not added to
-    add_residuals(cell.order, cell.piece, outer, inner, c.data(), x.data());
-    for (Index k = cell.piece.begin; k < cell.piece.end; ++k)
+    const Index counted = 150;
+    const ResidualSums sums =
+        set_residuals(cell.order, cell.piece, outer, inner, counted, c.data(), x.data());
+    double squares = 0, weighted = 0, max = 0;
+    for (Index k = cell.piece.begin; k < cell.piece.end; ++k) {
+      double square = 0;
       for (int e = 0; e < dimension; ++e) {
+        const double r = x[cell.order.stored(k) * dimension + e];
+        square += r * r;
         long double expected = -static_cast<long double>(cell.order.value(k)[e]);
         for (int a = 0; a < wo; ++a)
           for (int b = 0; b < wi; ++b)
@@ -104,6 +110,14 @@ TEST_P(Kernels, ResidualsAreValueMinusData) {
         EXPECT_NEAR(x[cell.order.stored(k) * dimension + e], static_cast<double>(expected),
                     8 * (wo + wi) * wo * wi * kEps);
       }
+      weighted += cell.order.weight(k) * square;
+      if (cell.order.input(cell.order.stored(k)) >= counted) continue;
+      squares += square;
+      max = std::max(max, square);
+    }
+    EXPECT_NEAR(sums.squares, squares, 200 * kEps * squares);
+    EXPECT_NEAR(sums.weighted, weighted, 200 * kEps * weighted);
+    EXPECT_EQ(sums.max, max);
   }
 }
 
