@@ -17,7 +17,9 @@ struct Named {
 inline constexpr Named<RefineRoute> kRoutes[] = {{RefineRoute::search, "search"},
                                                  {RefineRoute::insert, "insert"}};
 inline constexpr Named<FeatureMeasure> kFeatures[] = {{FeatureMeasure::hessian, "hessian"},
-                                                      {FeatureMeasure::curvature, "curvature"}};
+                                                      {FeatureMeasure::curvature, "curvature"},
+                                                      {FeatureMeasure::derivative, "derivative"},
+                                                      {FeatureMeasure::residual, "residual"}};
 inline constexpr Named<RowSpacing> kSpacings[] = {
     {RowSpacing::chord, "chord"}, {RowSpacing::centripetal, "centripetal"}, {RowSpacing::uniform, "uniform"}};
 inline constexpr Named<DuplicateRule> kDuplicateRules[] = {{DuplicateRule::fail, "fail"},

@@ -18,12 +18,16 @@ struct FeatureMap {
 /// \throws InvalidInput  shape, or an entry negative or not finite (names the cell)
 void validate(const FeatureMap& map);
 
-enum class FeatureMeasure { hessian, curvature };
+/// Those of a uniform pre-fit; residual: of a uniform fit at the counts wanted.
+enum class FeatureMeasure { hessian, curvature, derivative, residual };
 
 /// (|S_uu|^2 + 2|S_uv|^2 + |S_vv|^2)^(1/4) at the cell centres [METHOD 2.2].
 FeatureMap hessian_features(const Surface& s, Index size = 200);
 /// (k1^2 + k2^2)^(1/4) |S_u x S_v|, height fields as (u, v, z) [METHOD 2.2].
 FeatureMap curvature_features(const Surface& s, Index size = 200);
+/// (|d_u^a S|^2 + |d_v^b S|^2)^(1/(a+b)), a and b the degrees of S, which should be one above those of the fit to
+/// come: the derivatives its error follows, by the power that makes equal shares of them best [deBoor01 XII].
+FeatureMap derivative_features(const Surface& s, Index size = 200);
 /// |S - P|^2 of the points of a cell, averaged; cells without points take the nearest value.
 FeatureMap residual_features(const ParameterizedPoints& points, const std::vector<double>& errors,
                              Index size = 200);

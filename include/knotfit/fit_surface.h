@@ -39,6 +39,7 @@ struct FitOptions {
   double smoothing = 1e-9;
   FeatureMeasure feature = FeatureMeasure::hessian;
   FeatureMap user_features;
+  long evaluations = 2000;  ///< of the error, in an evolutionary search
   bool between = true;  ///< measure the honest numbers between the data
 };
 

@@ -22,6 +22,7 @@ struct PlacementOptions {
   int rounds = 12;                                   ///< error model: rounds at the counts wanted
   FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
   FeatureMap user_features;                          ///< used in place of `feature` where not empty
+  long evaluations = 2000;                           ///< of the error, in an evolutionary search
   /// Error model: the round kept has the least error of this measure; no further round once it is at
   /// most the value (0: all rounds).
   Tolerance keep_by{.value = 0, .measure = ErrorMeasure::rms};
@@ -31,9 +32,10 @@ enum class PlacementStatus { not_run, converged, limit, stopped };
 struct Placement {
   InteriorKnots knots;
   PlacementStatus status = PlacementStatus::not_run;
-  double criterion = 0;        ///< E(U,V) reached (sum of squared shares); 0 where a method has none
-  double criterion_start = 0;  ///< E(U,V) of its start
-  long fits = 0;               ///< linear fits made
+  double criterion = 0;              ///< E(U,V) reached (sum of squared shares); 0 where a method has none
+  double criterion_start = 0;        ///< E(U,V) of its start
+  long fits = 0;                     ///< linear fits made
+  std::vector<std::string> notes{};  ///< what a user should know, a sentence each
 };
 
 /// A row of the table of methods.
@@ -48,6 +50,12 @@ std::span<const PlacementMethod> placement_methods();
 /// Places knots by the method of that name.
 /// \throws InvalidInput  an unknown name (lists those there are), options out of range
 Placement place_knots(std::string_view method, const ParameterizedPoints& points,
+                      const PlacementOptions& options = {}, const Control& control = {});
+
+/// Removes the knot of least loss, of either direction, while the fit without it holds the tolerance.
+/// \return what is left; status limit where the knots given do not hold it
+/// \throws InvalidInput  a tolerance that is not positive, points or knots invalid
+Placement prune_knots(const ParameterizedPoints& points, InteriorKnots knots, const Tolerance& tolerance,
                       const PlacementOptions& options = {}, const Control& control = {});
 
 /// The cell criterion E(U,V) = sum_ij F_ij^2, F_ij the share of f in cell ij [Zhang16; METHOD 2.2].

@@ -41,6 +41,7 @@ struct RefineOptions {
   double smoothing = 1e-9;
   FeatureMeasure feature = FeatureMeasure::hessian;
   FeatureMap user_features;
+  long evaluations = 2000;  ///< of the error, in an evolutionary search at one size
   double noise = 0;  ///< standard deviation of the noise in the data, where known
 };
 

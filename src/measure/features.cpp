@@ -129,6 +129,22 @@ FeatureMap curvature_features(const Surface& s, Index size) {
   return map;
 }
 
+FeatureMap derivative_features(const Surface& s, Index size) {
+  const std::vector<double> t = cell_centres(size);
+  const std::vector<double> u = evaluate_grid(s, t, t, s.degree_u(), 0),
+                            v = evaluate_grid(s, t, t, 0, s.degree_v());
+  FeatureMap map{size, size, std::vector<double>(size * size)};
+  for (Index c = 0; c < size * size; ++c) {
+    double sum = 0;
+    for (int e = 0; e < s.dimension(); ++e) {
+      const Index k = c * s.dimension() + e;
+      sum += u[k] * u[k] + v[k] * v[k];
+    }
+    map.f[c] = std::pow(sum, 1.0 / (s.degree_u() + s.degree_v()));
+  }
+  return map;
+}
+
 FeatureMap residual_features(const ParameterizedPoints& points, const std::vector<double>& errors,
                              Index size) {
   std::vector<double> squares(errors.size());

@@ -21,11 +21,13 @@ Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options
     place.smoothing = options.smoothing;
     place.feature = options.feature;
     place.user_features = options.user_features;
+    place.evaluations = options.evaluations;
     if (tolerance.value > 0) place.keep_by = {0, tolerance.measure, tolerance.share};
     const Placement placement = place_knots(options.method, inside, place, control);
     chosen.knots = placement.knots;
     chosen.criterion = placement.criterion;
     chosen.fits = placement.fits;
+    chosen.notes = placement.notes;
     if (placement.status == PlacementStatus::stopped) chosen.status = Status::stopped;
     return chosen;
   }
@@ -42,6 +44,7 @@ Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options
   refine.smoothing = options.smoothing;
   refine.feature = options.feature;
   refine.user_features = options.user_features;
+  refine.evaluations = options.evaluations;
   refine.noise = noise;
   RefineResult found = refine_to_tolerance(inside, refine, control);
   chosen.knots = std::move(found.knots);

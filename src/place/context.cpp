@@ -25,22 +25,46 @@ int PlacementContext::pre_fit_spans(double share) const {
   return std::min(std::clamp(static_cast<int>(share * root), 8, 60), most);
 }
 
-const FeatureMap& PlacementContext::features() {
-  if (!features_) {
-    if (!options_.user_features.empty()) {
-      features_ = options_.user_features;
-    } else {
-      const int interior = pre_fit_spans(0.6) - 1;
-      if (problem_.solve({uniform_knots(interior), uniform_knots(interior)})) {
-        const Surface s = problem_.surface();
-        features_ =
-            options_.feature == FeatureMeasure::curvature ? curvature_features(s) : hessian_features(s);
-      } else {  // no fit to measure: no place is better than another
-        features_ = FeatureMap{1, 1, {1.0}};
-      }
-    }
+FeatureMap PlacementContext::measure_features() {
+  const FeatureMeasure wanted = options_.feature;
+  if (wanted == FeatureMeasure::residual) {
+    if (problem_.solve({uniform_knots(options_.interior_u), uniform_knots(options_.interior_v)}))
+      return residual_features(problem_.points(), problem_.errors());
+    return {1, 1, {1.0}};
   }
+  const int interior = pre_fit_spans(0.6) - 1;
+  const InteriorKnots knots{uniform_knots(interior), uniform_knots(interior)};
+  if (wanted == FeatureMeasure::derivative) {
+    LeastSquaresOptions fit;
+    fit.smoothing = options_.smoothing;
+    fit.refinement_steps = 0;
+    fit.estimate_condition = false;
+    FitProblem higher(problem_.points(), std::min(problem_.degree_u() + 1, kMaxDegree),
+                      std::min(problem_.degree_v() + 1, kMaxDegree), fit);
+    ++other_fits_;
+    return higher.solve(knots) ? derivative_features(higher.surface()) : FeatureMap{1, 1, {1.0}};
+  }
+  if (!problem_.solve(knots)) return {1, 1, {1.0}};  // no fit to measure: no place is better than another
+  const Surface s = problem_.surface();
+  return wanted == FeatureMeasure::curvature ? curvature_features(s) : hessian_features(s);
+}
+
+const FeatureMap& PlacementContext::features() {
+  if (!features_) features_ = options_.user_features.empty() ? measure_features() : options_.user_features;
   return *features_;
+}
+
+const RowGrid& PlacementContext::row_grid() {
+  if (!row_grid_) {
+    row_grid_ = make_row_grid(problem_, pre_fit_spans(0.6));
+    if (!row_grid_->note.empty()) note(row_grid_->note);
+  }
+  return *row_grid_;
+}
+
+void PlacementContext::note(std::string sentence) {
+  if (std::find(notes_.begin(), notes_.end(), sentence) == notes_.end())
+    notes_.push_back(std::move(sentence));
 }
 
 const FineModel& PlacementContext::fine_model() {

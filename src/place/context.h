@@ -6,6 +6,7 @@
 #include "fit/problem.h"
 #include "knotfit/control.h"
 #include "knotfit/place.h"
+#include "place/row_grid.h"
 namespace knotfit {
 
 /// Knots of the error model on a fine net, and the masses (knot density times length) of its spans.
@@ -32,6 +33,13 @@ class PlacementContext {
   /// The error model's fine stage [METHOD 2.1]; made once.
   const FineModel& fine_model();
   void set_fine_model(FineModel model) { fine_model_ = std::move(model); }
+  /// The points as rows; made once. What it did to them becomes a note of the placement.
+  const RowGrid& row_grid();
+  /// Linear fits made on problems of its own.
+  long other_fits() const { return other_fits_; }
+  /// Sentences for the user, gathered while placing.
+  const std::vector<std::string>& notes() const { return notes_; }
+  void note(std::string sentence);
   /// Spans a direction of a uniform pre-fit: clamp(share * sqrt(points), 8, 60), fewer where the
   /// points are few.
   int pre_fit_spans(double share) const;
@@ -42,6 +50,10 @@ class PlacementContext {
   const Control& control_;
   std::optional<FeatureMap> features_;
   std::optional<FineModel> fine_model_;
+  std::optional<RowGrid> row_grid_;
+  std::vector<std::string> notes_;
+  long other_fits_ = 0;
+  FeatureMap measure_features();
 };
 
 /// The body of a method: knots at counts (interior_u, interior_v).
@@ -53,6 +65,16 @@ Placement place_quantile(PlacementContext& context, int interior_u, int interior
 Placement place_criterion(PlacementContext& context, int interior_u, int interior_v);
 Placement place_error_model(PlacementContext& context, int interior_u, int interior_v);
 Placement place_optimal(PlacementContext& context, int interior_u, int interior_v);
+Placement place_nktp(PlacementContext& context, int interior_u, int interior_v);
+Placement place_dominant(PlacementContext& context, int interior_u, int interior_v);
+Placement place_averaging(PlacementContext& context, int interior_u, int interior_v);
+Placement place_equal_share(PlacementContext& context, int interior_u, int interior_v);
+Placement place_centroid(PlacementContext& context, int interior_u, int interior_v);
+Placement place_derivative_share(PlacementContext& context, int interior_u, int interior_v);
+Placement place_fitpack(PlacementContext& context, int interior_u, int interior_v);
+Placement place_sparse(PlacementContext& context, int interior_u, int interior_v);
+Placement place_full_lspia(PlacementContext& context, int interior_u, int interior_v);
+Placement place_conjugate_gradient(PlacementContext& context, int interior_u, int interior_v);
 
 /// The error model iterated at the counts of `start`; the best round by RMS.
 InteriorKnots error_model_from(PlacementContext& context, const InteriorKnots& start, int rounds);

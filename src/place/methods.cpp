@@ -5,6 +5,9 @@
 
 #include "knotfit/errors.h"
 #include "place/context.h"
+#ifdef KNOTFIT_WITH_NLOPT
+#include "place/evolutionary.h"
+#endif
 namespace knotfit {
 namespace {
 
@@ -26,6 +29,48 @@ constexpr std::array entries{
     Entry{{"uniform", "equally spaced knots", "the baseline"}, place_uniform},
     Entry{{"quantile", "the same number of points in every strip", "quantiles of the sorted parameters"},
           place_quantile},
+    Entry{{"averaging", "means of neighbouring parameters, one in every span",
+           "Piegl & Tiller, The NURBS Book, (9.68), (9.69)"},
+          place_averaging},
+    Entry{{"equal-share", "equal shares of the marginals of the feature measure",
+           "de Boor, A Practical Guide to Splines, XII"},
+          place_equal_share},
+    Entry{{"centroid", "centroids of regions of equal accumulated feature",
+           "the literature on feature-based knots"},
+          place_centroid},
+    Entry{{"derivative-share", "equal shares of the root of the data's own derivative of that order (rows)",
+           "Yeh, Nashed, Peterka, Tricoche, Computer-Aided Design 2020"},
+          place_derivative_share},
+    Entry{{"nktp", "means of groups of parameters, averaged over the degree (rows)",
+           "Piegl & Tiller, The Visual Computer 2000"},
+          place_nktp},
+    Entry{{"dominant", "columns and rows where the data bends, split where errors are large (rows)",
+           "Park, Computer-Aided Design 2011; curves: Park & Lee 2007"},
+          place_dominant},
+    Entry{{"fitpack", "a knot at a time where residuals are large: the greedy rule of surfit",
+           "Dierckx, Curve and Surface Fitting with Splines, 1993, 5.4"},
+          place_fitpack},
+    Entry{{"sparse", "knots where a fit with few jumps of its derivative keeps them (rows)",
+           "Kang, Chen, Li, Deng, Yang, Computer-Aided Design 2015"},
+          place_sparse},
+    Entry{{"full-lspia",
+           "control points by progressive iteration, knots by their gradient, in turn; then knots removed",
+           "Lan, Ji, Wang, Zhu, Computer-Aided Design 2024"},
+          place_full_lspia},
+    Entry{{"conjugate-gradient", "knots and control points together by conjugate gradients",
+           "after Xie & Qin, Shape Modeling International 2001"},
+          place_conjugate_gradient},
+#ifdef KNOTFIT_WITH_NLOPT
+    Entry{{"evolutionary", "global search over the knots: ESCH",
+           "NLopt; Silva Santos, Goncalves, Hernandez-Figueroa 2010"},
+          place_evolutionary},
+    Entry{{"evolutionary-crs", "global search over the knots: controlled random search",
+           "NLopt; Price 1983; Kaelo & Ali 2006"},
+          place_evolutionary_crs},
+    Entry{{"evolutionary-isres", "global search over the knots: evolution strategy with stochastic ranking",
+           "NLopt; Runarsson & Yao 2005"},
+          place_evolutionary_isres},
+#endif
 };
 
 constexpr auto table = [] {
@@ -46,6 +91,11 @@ PlaceFunction find_method(std::string_view name) {
     if (entry.method.name == name) return entry.place;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.method.name);
   }
+#ifndef KNOTFIT_WITH_NLOPT
+  if (name.starts_with("evolutionary"))
+    throw InvalidInput(
+        fmt::format("this knotfit was built without NLopt, which the method '{}' needs", name));
+#endif
   throw InvalidInput(fmt::format("there is no placement method '{}'; there are {}", name, known));
 }
 
@@ -66,7 +116,8 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   FitProblem problem(points, options.degree_u, options.degree_v, fit);
   PlacementContext context(problem, options, control);
   Placement placement = place(context, options.interior_u, options.interior_v);
-  placement.fits = problem.fits();
+  placement.fits = problem.fits() + context.other_fits();
+  placement.notes.insert(placement.notes.end(), context.notes().begin(), context.notes().end());
   return placement;
 }
 

@@ -60,6 +60,7 @@ PlacementOptions placement_options(const RefineOptions& o) {
   placement.smoothing = o.smoothing;
   placement.feature = o.feature;
   placement.user_features = o.user_features;
+  placement.evaluations = o.evaluations;
   placement.keep_by = o.tolerance;
   return placement;
 }
@@ -79,6 +80,7 @@ RefineResult search_placed(FitProblem& data, const RefineOptions& options, const
   const Status unmet = search_sizes(data, fine, *solver, attempts, plateau);
   RefineResult result = attempts.finish(unmet);
   result.metric = fine.knots;
+  result.notes.insert(result.notes.end(), context.notes().begin(), context.notes().end());
   return result;
 }
 
