@@ -22,6 +22,7 @@ ORDER = [
     ["data", "spline"],
     ["formats", "fit", "verify"],
     ["parameterize"],
+    ["correct"],
     ["measure"],
     ["place"],
     ["refine"],

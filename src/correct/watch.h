@@ -1,0 +1,31 @@
+// Progress and stop of one piece of work, from the calling thread.
+#pragma once
+#include <chrono>
+#include <string_view>
+
+#include "knotfit/control.h"
+namespace knotfit::correction {
+
+class Watch {
+ public:
+  Watch(const Control& control, std::string_view stage)
+      : control_(control), stage_(stage), start_(std::chrono::steady_clock::now()) {}
+  /// \return true where the work should end: stopped, or out of time
+  bool report(double fraction, double error = -1) const {
+    if (control_.progress) control_.progress({.stage = stage_, .fraction = fraction, .error = error});
+    return over();
+  }
+  bool over() const {
+    return control_.stop.stop_requested() || (control_.time_limit > 0 && seconds() > control_.time_limit);
+  }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  const Control& control_;
+  std::string_view stage_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace knotfit::correction
