@@ -4,6 +4,7 @@
 namespace knotfit::tool {
 
 int run_fit(const FitArguments& arguments);
+int run_compare(const CompareArguments& arguments);
 int run_parameterize(const ParameterizeArguments& arguments);
 int run_eval(const EvalArguments& arguments);
 int run_info(const InfoArguments& arguments);

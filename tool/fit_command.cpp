@@ -85,6 +85,7 @@ FitOptions fit_options(const FitChoices& c) {
   options.degree_v = c.degree->second;
   options.max_control_points = static_cast<Index>(c.max_control_points.value_or(0));
   options.max_fits = c.max_fits.value_or(FitOptions{}.max_fits);
+  options.evaluations = c.evaluations.value_or(FitOptions{}.evaluations);
   options.smoothing = *c.smoothing;
   options.feature = *c.feature;
   options.between = *c.between;

@@ -47,8 +47,15 @@ std::string examples(std::string_view command) {
             "  knotfit eval terrain.json --at -84.2,36.6 --derivatives 1\n" +
             "  knotfit eval face.json --grid 50x50 -o grid.csv\n" +
             "  knotfit eval face.json --points samples/face.uv.csv -o differences.csv\n";
+  else if (command == "compare")
+    text += std::string(
+                "  knotfit compare samples/face.uv.csv --sizes 12x12,20x20 --methods "
+                "nktp,dominant,error-model -o report\n") +
+            "  knotfit compare samples/jacksboro.asc --tolerances 5% --within 99.5% --methods "
+            "uniform,error-model --json\n";
   else if (command == "parameterize")
     text += std::string("  knotfit parameterize samples/face.obj -o face.csv -o face.vt.obj\n") +
+            "  knotfit parameterize samples/face.obj -o face.png --lines 30\n" +
             "  knotfit parameterize samples/face.obj --corners sharpest --omega 0 --json\n" +
             "  knotfit fit face.csv --tol 5% -o face.json\n";
   else if (command == "info")

@@ -19,6 +19,8 @@ int run(const CommandLine& line) {
   switch (line.command) {
     case Command::fit:
       return run_fit(line.fit);
+    case Command::compare:
+      return run_compare(line.compare);
     case Command::parameterize:
       return run_parameterize(line.parameterize);
     case Command::eval:

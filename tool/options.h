@@ -79,6 +79,7 @@ struct FitChoices {
   std::optional<long> max_fits;
   std::optional<double> time_limit;
   std::optional<FeatureMeasure> feature;
+  std::optional<long> evaluations;
   std::optional<double> smoothing;
   std::optional<bool> between;
   InputOptions input;
@@ -119,6 +120,18 @@ struct ParameterizeArguments {
   bool quiet = false, json = false;
 };
 
+/// Of the choices only those on reading, mapping, degree, smoothing, features and what counts as the error.
+struct CompareArguments {
+  std::string input;
+  FitChoices choices;
+  std::vector<IntegerPair> sizes;
+  std::vector<ToleranceValue> tolerances;
+  std::vector<std::string> methods;  ///< empty: all
+  std::string folder;                ///< of the outputs; empty: none
+  int threads = 0;
+  bool force = false, quiet = false, json = false;
+};
+
 struct EvalArguments {
   std::string surface;
   SurfaceChoices source;
@@ -157,11 +170,12 @@ struct ListArguments {
   bool json = false;
 };
 
-enum class Command { fit, parameterize, eval, info, convert, methods, formats };
+enum class Command { fit, compare, parameterize, eval, info, convert, methods, formats };
 
 struct CommandLine {
   Command command = Command::fit;
   FitArguments fit;
+  CompareArguments compare;
   ParameterizeArguments parameterize;
   EvalArguments eval;
   InfoArguments info;

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "knotfit/errors.h"
+#include "knotfit/fit_surface.h"
 #include "knotfit/knot_vector.h"
 #include "mesh_outputs.h"
 #include "text_values.h"
@@ -186,6 +187,7 @@ const std::vector<Row>& table() {
       count<long>("max_fits", &FitChoices::max_fits, 0, "--max-fits"),
       number("time_limit", &FitChoices::time_limit, parse_positive, 0, "--time-limit"),
       named("feature", &FitChoices::feature, kFeatures, FeatureMeasure::hessian, "--feature"),
+      count<long>("evaluations", &FitChoices::evaluations, FitOptions{}.evaluations, "--evaluations"),
       number("smoothing", &FitChoices::smoothing, parse_not_negative, 1e-9, "--smoothing"),
       flag("between", &FitChoices::between, true, "--between off"),
       input<std::string>("input_format", &InputOptions::format,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "knotfit/errors.h"
 namespace knotfit::report {
@@ -80,6 +81,20 @@ struct Canvas::State {
 std::uint32_t premultiplied(const Rgb& c, double alpha) {
   auto byte = [](double x) { return static_cast<std::uint32_t>(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
   return byte(alpha) << 24 | byte(c.r * alpha) << 16 | byte(c.g * alpha) << 8 | byte(c.b * alpha);
+}
+
+Format picture_format(const std::string& extension) {
+  if (extension == ".png") return Format::png;
+  if (extension == ".svg") return Format::svg;
+  if (extension == ".pdf") return Format::pdf;
+  throw InvalidInput(fmt::format("\"{}\" is no extension of a picture: .png, .svg and .pdf are", extension));
+}
+
+void check_page(int width, int height) {
+  const std::pair<const char*, int> sizes[] = {{"width", width}, {"height", height}};
+  for (const auto& [name, size] : sizes)
+    if (size < 200 || size > 20000)
+      throw InvalidInput(fmt::format("a picture's {} of {} is outside 200 to 20000", name, size));
 }
 
 Canvas::Canvas(Format format, int width, int height)

@@ -11,6 +11,10 @@
 namespace knotfit::report {
 
 enum class Format { png, svg, pdf };
+/// \throws InvalidInput  not .png, .svg or .pdf
+Format picture_format(const std::string& extension);
+/// \throws InvalidInput  a width or height outside 200 to 20000
+void check_page(int width, int height);
 
 struct Paint {
   Rgb colour;

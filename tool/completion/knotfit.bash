@@ -5,28 +5,30 @@ _knotfit() {
   local tool=${COMP_WORDS[0]}
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-    case $word in fit | parameterize | eval | info | convert | methods | formats) command=$word; break ;; esac
+    case $word in fit | compare | parameterize | eval | info | convert | methods | formats) command=$word; break ;; esac
   done
 
   case $previous in
     --knots) COMPREPLY=($(compgen -W "$("$tool" methods --names 2>/dev/null)" -- "$current")); return ;;
+    --methods) COMPREPLY=($(compgen -W "all $("$tool" methods --names 2>/dev/null)" -- "$current")); return ;;
     --input-format) COMPREPLY=($(compgen -W "$("$tool" formats --names 2>/dev/null)" -- "$current")); return ;;
     --refine) COMPREPLY=($(compgen -W "search insert" -- "$current")); return ;;
-    --feature) COMPREPLY=($(compgen -W "hessian curvature" -- "$current")); return ;;
+    --feature) COMPREPLY=($(compgen -W "hessian curvature derivative residual" -- "$current")); return ;;
     --spacing) COMPREPLY=($(compgen -W "chord centripetal uniform" -- "$current")); return ;;
+    --map) COMPREPLY=($(compgen -W "newton mean-value" -- "$current")); return ;;
     --corners) COMPREPLY=($(compgen -W "auto sharpest search" -- "$current")); return ;;
     --duplicates) COMPREPLY=($(compgen -W "fail mean lowest highest" -- "$current")); return ;;
     --unit) COMPREPLY=($(compgen -W "mm m inch" -- "$current")); return ;;
     --step-schema) COMPREPLY=($(compgen -W "ap214 ap242" -- "$current")); return ;;
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --points | --options | --knots-from | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
-    --tol | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
+    --tol | --sizes | --tolerances | --evaluations | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
       --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
-      --derivatives | --derivative | --omega | --samples | --name | --cad-tol | --face) return ;;
+      --derivatives | --derivative | --omega | --samples | --lines | --name | --cad-tol | --face) return ;;
   esac
 
   if [[ -z $command ]]; then
-    COMPREPLY=($(compgen -W "fit parameterize eval info convert methods formats --help --version" -- "$current"))
+    COMPREPLY=($(compgen -W "fit compare parameterize eval info convert methods formats --help --version" -- "$current"))
     return
   fi
   local input="--input-format --columns --nodata" output="-o --output --force"
@@ -35,11 +37,15 @@ _knotfit() {
   case $command in
     fit)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
-        --knots --knots-u --knots-v --knots-from --refine --feature --smoothing $input --height-field
+        --knots --knots-u --knots-v --knots-from --refine --feature --evaluations --smoothing $input --height-field
         --spacing --rescale-parameters --duplicates $mesh --new-parameters $output --samples --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
         --no-orient --no-drop-degenerate --no-new-parameters --no-cad-safe" ;;
-    parameterize) options="$mesh --input-format $output --json --threads --quiet" ;;
+    compare)
+      options="--sizes --tolerances --methods --within --rms --degree --evaluations --max-control-points --max-fits
+        --feature --smoothing $input --height-field --spacing --rescale-parameters --duplicates
+        $mesh $output --json --between --threads --quiet" ;;
+    parameterize) options="$mesh --map --lines --input-format $output --json --threads --quiet" ;;
     eval)
       options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $surface $input $output
         --json --threads" ;;

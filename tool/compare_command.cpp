@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "compare_report.h"
+#include "exit_status.h"
+#include "knotfit/errors.h"
+#include "knotfit/threads.h"
+#include "options_json.h"
+#include "outputs.h"
+#include "signals.h"
+#include "terminal_progress.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+CompareOptions compare_options(const CompareArguments& arguments) {
+  const FitChoices& c = arguments.choices;
+  CompareOptions options;
+  if (!arguments.methods.empty()) options.methods = arguments.methods;
+  for (const IntegerPair& size : arguments.sizes) options.sizes.push_back({size.first, size.second});
+  const MeasureValue measure = c.measure.value_or(MeasureValue{});
+  for (const ToleranceValue& t : arguments.tolerances)
+    options.tolerances.push_back(
+        {.value = t.value, .relative = t.relative, .measure = measure.measure, .share = measure.share});
+  FitOptions& fit = options.fit;
+  const IntegerPair degree = c.degree.value_or(IntegerPair{3, 3});
+  fit.degree_u = degree.first;
+  fit.degree_v = degree.second;
+  fit.max_control_points = static_cast<Index>(c.max_control_points.value_or(0));
+  fit.max_fits = c.max_fits.value_or(FitOptions{}.max_fits);
+  fit.smoothing = c.smoothing.value_or(FitOptions{}.smoothing);
+  fit.feature = c.feature.value_or(FeatureMeasure::hessian);
+  fit.evaluations = c.evaluations.value_or(FitOptions{}.evaluations);
+  fit.between = c.between.value_or(true);
+  return options;
+}
+
+}  // namespace
+
+int run_compare(const CompareArguments& arguments) {
+  const CompareOptions options = compare_options(arguments);
+  comparison_rows(options);  // what cannot be asked is said before anything is read
+  StopOnSignal stop;
+  set_thread_count(arguments.threads);
+  TerminalProgress terminal(!arguments.quiet);
+  terminal.report({.stage = "read"});
+  Control control;
+  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
+  control.stop = stop.token();
+  const FitInput input = read_fit_input(arguments.input, arguments.choices, control);
+  std::optional<CompareFolder> folder;
+  if (!arguments.folder.empty()) folder.emplace(arguments.folder, arguments.force);
+
+  const std::string stored = options_to_json(arguments.choices);
+  const std::vector<CompareRow> rows =
+      compare_methods(input.points, options, control, [&](const CompareRow& row) {
+        if (folder) folder->add(row, input, stored);
+      });
+  const bool stopped = stop.requested();
+  if (folder) {
+    terminal.report({.stage = "pictures"});
+    folder->draw(input);
+  }
+  terminal.clear();
+  const std::string json = compare_json(rows, input, stopped) + "\n";
+  if (folder) write_text_file(folder->file("table.json"), true, json);
+  if (arguments.json)
+    print(json);
+  else if (!arguments.quiet)
+    print(compare_table(rows) + (folder ? "wrote " + arguments.folder + "\n" : ""));
+  if (stopped) {
+    std::fprintf(stderr, "knotfit: stopped after %zu rows; they are kept\n", rows.size());
+    return kStopped;
+  }
+  return kReached;
+}
+
+}  // namespace knotfit::tool
