@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "place/error_model.h"
 #include "place/shares.h"
@@ -19,10 +20,25 @@ PlacementContext::PlacementContext(FitProblem& problem, PlacementOptions options
   if (!options_.user_features.empty()) validate(options_.user_features);
 }
 
-int PlacementContext::pre_fit_spans(double share) const {
-  const double root = std::sqrt(static_cast<double>(problem_.points().size()));
-  const int most = std::max(1, static_cast<int>(root) - std::max(problem_.degree_u(), problem_.degree_v()));
-  return std::min(std::clamp(static_cast<int>(share * root), 8, 60), most);
+InteriorKnots PlacementContext::pre_fit_knots(double share) const {
+  const ParameterizedPoints& points = problem_.points();
+  constexpr std::size_t kFew = 8;  // lines
+  const auto few_lines = [&](int axis) -> double {
+    std::set<double> lines;
+    for (Index k = 0; k < points.size() && lines.size() <= kFew; ++k) lines.insert(points.uv[2 * k + axis]);
+    return lines.size() <= kFew ? static_cast<double>(lines.size()) : 0;
+  };
+  const double n = static_cast<double>(points.size()), root = std::sqrt(n);
+  const double lines_u = few_lines(0), lines_v = few_lines(1);
+  const auto knots = [&](double lines, int degree) {
+    const int most = std::max(1, static_cast<int>(lines) - degree);
+    return uniform_knots(std::min(std::clamp(static_cast<int>(share * lines), 8, 60), most) - 1);
+  };
+  if (lines_u > 0 || lines_v > 0)
+    return {lines_u > 0 ? std::vector<double>{} : knots(n / lines_v, problem_.degree_u()),
+            lines_v > 0 ? std::vector<double>{} : knots(n / lines_u, problem_.degree_v())};
+  const int degree = std::max(problem_.degree_u(), problem_.degree_v());
+  return {knots(root, degree), knots(root, degree)};
 }
 
 FeatureMap PlacementContext::measure_features() {
@@ -32,8 +48,7 @@ FeatureMap PlacementContext::measure_features() {
       return residual_features(problem_.points(), problem_.errors());
     return {1, 1, {1.0}};
   }
-  const int interior = pre_fit_spans(0.6) - 1;
-  const InteriorKnots knots{uniform_knots(interior), uniform_knots(interior)};
+  const InteriorKnots knots = pre_fit_knots(0.6);
   if (wanted == FeatureMeasure::derivative) {
     LeastSquaresOptions fit;
     fit.smoothing = options_.smoothing;
@@ -56,7 +71,7 @@ const FeatureMap& PlacementContext::features() {
 
 const RowGrid& PlacementContext::row_grid() {
   if (!row_grid_) {
-    row_grid_ = make_row_grid(problem_, pre_fit_spans(0.6));
+    row_grid_ = make_row_grid(problem_, pre_fit_knots(0.6));
     if (!row_grid_->note.empty()) note(row_grid_->note);
   }
   return *row_grid_;
@@ -68,7 +83,7 @@ void PlacementContext::note(std::string sentence) {
 }
 
 const FineModel& PlacementContext::fine_model() {
-  if (!fine_model_) fine_model_ = fit_fine_model(problem_, pre_fit_spans(0.4) - 1, control_);
+  if (!fine_model_) fine_model_ = fit_fine_model(problem_, pre_fit_knots(0.4), control_);
   return *fine_model_;
 }
 

@@ -40,9 +40,10 @@ class PlacementContext {
   /// Sentences for the user, gathered while placing.
   const std::vector<std::string>& notes() const { return notes_; }
   void note(std::string sentence);
-  /// Spans a direction of a uniform pre-fit: clamp(share * sqrt(points), 8, 60), fewer where the
-  /// points are few.
-  int pre_fit_spans(double share) const;
+  /// Uniform knots of a pre-fit: clamp(share * sqrt(points), 8, 60) spans a direction, fewer where the points are
+  /// few. Points on a handful of lines of one direction, as a curve's strip has them, get one span across the lines
+  /// and those of a row along them.
+  InteriorKnots pre_fit_knots(double share) const;
 
  private:
   FitProblem& problem_;

@@ -127,13 +127,13 @@ InteriorKnots knots_of_density(const FitProblem& fitted, int interior_u, int int
   return knots;
 }
 
-FineModel fit_fine_model(FitProblem& problem, int interior, const Control& control) {
+FineModel fit_fine_model(FitProblem& problem, const InteriorKnots& uniform, const Control& control) {
   FineModel model;
-  const InteriorKnots uniform{uniform_knots(interior), uniform_knots(interior)};
   model.knots = iterate(problem, uniform, kFineRounds, {.value = -1, .measure = ErrorMeasure::rms}, [&] {
                   return control.stop.stop_requested();
                 }).best;
-  if (model.knots.u.size() != uniform.u.size()) model.knots = uniform;  // no round was solvable
+  if (model.knots.u.size() != uniform.u.size() || model.knots.v.size() != uniform.v.size())
+    model.knots = uniform;  // no round was solvable
   if (problem.solve(model.knots)) {
     const ErrorDensity u = error_density_u(problem), v = error_density_v(problem);
     model.mass_u = u.mass;
@@ -141,8 +141,8 @@ FineModel fit_fine_model(FitProblem& problem, int interior, const Control& contr
     model.integral_u = u.integral;
     model.integral_v = v.integral;
   } else {
-    model.mass_u.assign(interior + 1, 1.0);
-    model.mass_v.assign(interior + 1, 1.0);
+    model.mass_u.assign(uniform.u.size() + 1, 1.0);
+    model.mass_v.assign(uniform.v.size() + 1, 1.0);
   }
   return model;
 }

@@ -12,8 +12,8 @@ struct ErrorDensity {
 ErrorDensity error_density_u(const FitProblem& fitted);
 ErrorDensity error_density_v(const FitProblem& fitted);
 
-/// Four rounds on `interior` knots a direction from uniform ones; density of the last fit.
-FineModel fit_fine_model(FitProblem& problem, int interior, const Control& control);
+/// Four rounds from these uniform knots; density of the last fit.
+FineModel fit_fine_model(FitProblem& problem, const InteriorKnots& uniform, const Control& control);
 
 /// One round's knots at new counts, from the density of the present fit.
 InteriorKnots knots_of_density(const FitProblem& fitted, int interior_u, int interior_v);

@@ -28,7 +28,7 @@ void set_positions(RowGrid& grid, int dimension, const std::vector<double>& valu
 
 }  // namespace
 
-RowGrid make_row_grid(FitProblem& problem, int spans) {
+RowGrid make_row_grid(FitProblem& problem, const InteriorKnots& uniform) {
   RowGrid grid;
   const ParameterizedPoints& points = problem.points();
   const int d = points.dimension;
@@ -40,7 +40,7 @@ RowGrid make_row_grid(FitProblem& problem, int spans) {
   } else {
     for (int i = 0; i < kLines; ++i) grid.u.push_back(i / (kLines - 1.0));
     grid.v = grid.u;
-    if (problem.solve({uniform_knots(spans - 1), uniform_knots(spans - 1)}))
+    if (problem.solve(uniform))
       values = evaluate_grid(problem.surface(), grid.u, grid.v);
     else  // nothing to see: a flat sheet, where no place is better than another
       values.assign(static_cast<std::size_t>(kLines * kLines * d), 0.0);
@@ -48,7 +48,7 @@ RowGrid make_row_grid(FitProblem& problem, int spans) {
         "the method asks for rows of points: the data was resampled on {} x {} lines of its parameters, from "
         "a fit "
         "of {} x {} uniform spans",
-        kLines, kLines, spans, spans);
+        kLines, kLines, uniform.u.size() + 1, uniform.v.size() + 1);
   }
   set_positions(grid, d, values);
   return grid;

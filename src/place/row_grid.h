@@ -21,9 +21,9 @@ struct RowGrid {
   }
 };
 
-/// The points' own grid, or a uniform fit of `spans` spans a direction sampled on 101 x 101 lines, ends
+/// The points' own grid, or a fit on uniform knots sampled on 101 x 101 lines, ends
 /// included [METHOD 5].
-RowGrid make_row_grid(FitProblem& problem, int spans);
+RowGrid make_row_grid(FitProblem& problem, const InteriorKnots& uniform);
 
 /// Bending and length of the rows that cross the lines of one direction, added over the rows [Park11; METHOD 5].
 struct RowShape {

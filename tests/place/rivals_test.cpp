@@ -111,7 +111,7 @@ TEST(RowShape, IsTheTurningAngleAndTheLength) {
   // A roof: every row turns by the same angle at u = 0.5.
   ParameterizedPoints points = grid_of(11, 4, [](double u, double) { return std::abs(u - 0.5); });
   FitProblem problem(points, 3, 3);
-  const RowGrid grid = make_row_grid(problem, 8);
+  const RowGrid grid = make_row_grid(problem, {});
   EXPECT_TRUE(grid.note.empty());
   const RowShape shape = row_shape(grid, false);
   for (int i = 0; i < 11; ++i) EXPECT_NEAR(shape.bend[i], i == 5 ? 4 * std::numbers::pi / 2 : 0, 1e-7) << i;

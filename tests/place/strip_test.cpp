@@ -1,0 +1,100 @@
+#include "place/strip.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fit/curve_problem.h"
+#include "fit/problem.h"
+#include "place/periodic.h"
+#include "place/shares.h"
+#include "support/synthetic.h"
+namespace knotfit::test {
+namespace {
+
+CurvePoints planar(int n) {
+  CurvePoints points;
+  for (int k = 0; k < n; ++k) {
+    const double t = k / (n - 1.0);
+    points.t.push_back(t);
+    points.values.insert(points.values.end(), {t, std::tanh(40 * (t - 0.3))});
+  }
+  return points;
+}
+
+TEST(Strip, HasTheErrorsOfTheCurve) {
+  for (int dimension : {1, 2}) {
+    CurvePoints points = planar(150);
+    if (dimension == 1) {
+      points.dimension = 1;
+      points.values.clear();
+      for (double t : points.t) points.values.push_back(std::tanh(40 * (t - 0.3)));
+    }
+    const ParameterizedPoints strip = strip_of(points);
+    EXPECT_EQ(strip.size(), 300);
+    const std::vector<double> knots{0.1, 0.28, 0.31, 0.5};
+    CurveProblem curve(points, 3, 1e-12);
+    ASSERT_TRUE(curve.solve(knots));
+    LeastSquaresOptions options;
+    options.smoothing = 1e-12;
+    FitProblem surface(strip, 3, 1, options);
+    ASSERT_TRUE(surface.solve({knots, {}}));
+    EXPECT_NEAR(surface.phi(), 2 * curve.phi(), 1e-8 * curve.phi());
+  }
+}
+
+TEST(Strip, MergesEqualParametersByWeight) {
+  CurvePoints points;
+  points.dimension = 1;
+  points.t = {0.5, 0, 0.5, 1};
+  points.values = {1, 7, 4, 9};
+  points.weights = {1, 1, 2, 1};
+  const ParameterizedPoints strip = strip_of(points);
+  EXPECT_EQ(strip.size(), 6);
+  EXPECT_EQ(strip.uv, (std::vector<double>{0, 0, 0, 1, 0.5, 0, 0.5, 1, 1, 0, 1, 1}));
+  EXPECT_EQ(strip.values, (std::vector<double>{7, 7, 3, 3, 9, 9}));
+  EXPECT_EQ(strip.weights, (std::vector<double>{1, 1, 3, 3, 1, 1}));
+}
+
+TEST(Strip, AClosedCurveEndsWhereItStarts) {
+  CurvePoints points = planar(5);
+  points.closed = true;
+  points.t = {0, 0.2, 0.4, 0.6, 0.8};
+  const ParameterizedPoints strip = strip_of(points);
+  EXPECT_EQ(strip.size(), 12);
+  EXPECT_EQ(strip.u(11), 1);
+  EXPECT_EQ(strip.value(11)[0], points.value(0)[0]);
+}
+
+TEST(CurveKnots, DominantPointsGatherWhereACurveBends) {
+  PlacementOptions options;
+  options.interior_u = 8;
+  const std::vector<double> knots = place_curve_knots("dominant", planar(201), options).knots.u;
+  EXPECT_GE(std::count_if(knots.begin(), knots.end(), [](double x) { return x > 0.15 && x < 0.45; }), 5);
+}
+
+TEST(Periodic, LowersTheErrorAndKeepsKnotsInOnePeriod) {
+  CurvePoints points;
+  points.closed = true;
+  for (int k = 0; k < 200; ++k) {
+    const double s = k / 200.0, a = 2 * std::numbers::pi * s, r = 1 + 0.5 * std::exp(-200 * square(s - 0.97));
+    points.t.push_back(s);
+    points.values.insert(points.values.end(), {r * std::cos(a), r * std::sin(a)});
+  }
+  CurveProblem problem(points, 3, 1e-12);
+  std::vector<double> knots{0.0};
+  for (double x : uniform_knots(9)) knots.push_back(x);
+  ASSERT_TRUE(problem.solve(knots));
+  const double before = problem.phi(), after = optimize_period(problem, knots);
+  EXPECT_LT(after, 0.1 * before);
+  EXPECT_EQ(problem.phi(), after);
+  EXPECT_EQ(knots.size(), 10u);
+  EXPECT_GE(knots.front(), 0);
+  EXPECT_LT(knots.front(), 1);
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) EXPECT_LT(knots[i], knots[i + 1]);
+  EXPECT_LT(knots.back(), knots.front() + 1);
+}
+
+}  // namespace
+}  // namespace knotfit::test
