@@ -179,7 +179,7 @@ TEST(LeastSquares, SaysSingularWhereNothingTellsTheSurfaceApart) {
 TEST(LeastSquares, CountsTheCellsWithoutPoints) {
   ParameterizedPoints points;
   Random random;
-  const KnotVector knots = KnotVector::clamped(2, std::vector{0.25, 0.5, 0.5, 0.75});
+  const KnotVector knots = KnotVector::clamped(3, std::vector{0.25, 0.5, 0.5, 0.75});
   for (int k = 0; k < 100; ++k) {
     points.uv.insert(points.uv.end(), {random.uniform(0, 0.25), random.unit()});
     points.values.push_back(1);
