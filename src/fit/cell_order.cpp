@@ -75,6 +75,20 @@ CellOrder::CellOrder(const ParameterizedPoints& points) : dimension_(points.dime
   cell_.resize(n);
 }
 
+void CellOrder::append(const ParameterizedPoints& points, Index first) {
+  narrow(points.size());
+  for (Index k = first; k < points.size(); ++k) {
+    input_.push_back(static_cast<std::int32_t>(k));
+    u_.push_back(points.u(k));
+    v_.push_back(points.v(k));
+    values_.insert(values_.end(), points.value(k), points.value(k) + dimension_);
+    if (!weights_.empty()) weights_.push_back(points.weights.empty() ? 1.0 : points.weights[k]);
+  }
+  outer_.resize(input_.size());
+  inner_.resize(input_.size());
+  cell_.resize(input_.size());
+}
+
 void CellOrder::sort(const Axis& outer, const Axis& inner, bool swapped) {
   const Index n = size(), cells = outer.spans() * inner.spans();
   narrow(cells);

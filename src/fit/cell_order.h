@@ -18,6 +18,9 @@ class CellOrder {
  public:
   explicit CellOrder(const ParameterizedPoints& points);
 
+  /// Takes the points from `first` on, behind all others in the stored order; sort again after it.
+  void append(const ParameterizedPoints& points, Index first);
+
   /// Sorts by the cells outer span * inner.spans() + inner span.
   /// \param swapped  outer runs along v
   void sort(const Axis& outer, const Axis& inner, bool swapped);

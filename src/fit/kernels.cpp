@@ -14,16 +14,18 @@
 namespace knotfit {
 namespace {
 
-constexpr int kMostMoments = 2 * kMaxDegree + 2, kPadded = 20;
+constexpr int kMostMoments = 2 * kMaxDegree + 2;
 constexpr int kLanes = 8;  // points taken at once, side by side in vector registers
 
 /// Counts of one pair of degrees; a static one lets the loops unroll.
 template <int degree>
 struct StaticCounts {
   static constexpr int qo = 2 * degree + 1, qi = qo, wo = degree + 1, wi = wo, stride = (qi + 3) / 4 * 4;
+  static constexpr int most_moments = qi, most_width = wi;
 };
 struct DynamicCounts {
   int qo, qi, wo, wi, stride;
+  static constexpr int most_moments = kMostMoments, most_width = kMaxDegree + 1;
   DynamicCounts(int o, int i) : qo(2 * o + 1), qi(2 * i + 1), wo(o + 1), wi(i + 1), stride(padded(qi)) {}
 };
 
@@ -49,45 +51,65 @@ using Lanes = double[kMostMoments][kLanes];
   return count;
 }
 
-/// Adds x_k P_a(t_k) Q_b(s_k) of the lanes to sums[a * stride + b], a point after the other; a lane
-/// without a point has x = 0 and adds nothing.
-[[gnu::always_inline]] inline void add_products(const double* x, const Lanes& p,
-                                                const double (&q)[kLanes][kPadded], int rows, int stride,
-                                                double* sums) {
-  for (int a = 0; a < rows; ++a) {
-    double row[kPadded];
-    for (int b = 0; b < stride; ++b) row[b] = sums[a * stride + b];
-    for (int k = 0; k < kLanes; ++k) {
-      const double xp = x[k] * p[a][k];
-      for (int b = 0; b < stride; ++b) row[b] += xp * q[k][b];
-    }
-    for (int b = 0; b < stride; ++b) sums[a * stride + b] = row[b];
-  }
-}
+/// 8 points side by side. (GCC and Clang split it into what the instruction set has.)
+typedef double Vector __attribute__((vector_size(kLanes * sizeof(double))));
+constexpr int kBatch = 128, kGroups = kBatch / kLanes;  // points taken at once, and vectors of them
 
-/// A point a row: value b of lane k at [k][b], zero from `count` to kPadded.
-[[gnu::always_inline]] inline void transpose(const Lanes& p, int count, double (&q)[kLanes][kPadded]) {
-  for (int k = 0; k < kLanes; ++k)
-    for (int b = 0; b < count; ++b) q[k][b] = p[b][k];
-}
+/// Up to kBatch points of a piece: Legendre values P_a of either coordinate as p[a][group], and x, which is 0
+/// past the piece's end.
+struct Batch {
+  Vector p[kMostMoments][kGroups], q[kMostMoments][kGroups], x[kGroups], weight[kGroups];
+  int count = 0, groups = 0;
+
+  [[gnu::always_inline]] void load(const CellOrder& order, Index begin, Index end, int rows, int columns) {
+    count = static_cast<int>(std::min<Index>(kBatch, end - begin));
+    groups = (count + kLanes - 1) / kLanes;
+    for (int k = 0; k < groups * kLanes; ++k) {
+      const Index i = begin + std::min(k, count - 1);
+      p[1][k / kLanes][k % kLanes] = order.outer(i);
+      q[1][k / kLanes][k % kLanes] = order.inner(i);
+      weight[k / kLanes][k % kLanes] = k < count ? order.weight(i) : 0;
+    }
+    recur(p, rows);
+    recur(q, columns);
+  }
+  [[gnu::always_inline]] void recur(Vector (&values)[kMostMoments][kGroups], int count_of_values) {
+    for (int g = 0; g < groups; ++g) values[0][g] = Vector{} + 1.0;
+    for (int a = 2; a < count_of_values; ++a)
+      for (int g = 0; g < groups; ++g)
+        values[a][g] =
+            kLegendre.alpha[a] * values[1][g] * values[a - 1][g] - kLegendre.beta[a] * values[a - 2][g];
+  }
+  /// Adds sum x P_a Q_b to sums[a * stride + b], the lanes first, then these in a fixed order.
+  template <int most>
+  [[gnu::always_inline]] void add_sums(int rows, int columns, int stride, double* sums) const {
+    for (int a = 0; a < rows; ++a) {
+      Vector sum[most] = {};
+      for (int g = 0; g < groups; ++g) {
+        const Vector xp = x[g] * p[a][g];
+        for (int b = 0; b < columns; ++b) sum[b] += xp * q[b][g];
+      }
+      for (int b = 0; b < columns; ++b) {
+        const Vector& v = sum[b];
+        sums[a * stride + b] += ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+      }
+    }
+  }
+};
 
 template <class Counts>
 [[gnu::always_inline]] inline void moments(const Counts& n, const CellOrder& order, const CellPiece& piece,
                                            double* matrix, double* rhs) {
   const int dimension = order.dimension();
-  alignas(64) Lanes p, ps;
-  alignas(64) double q[kLanes][kPadded] = {}, t[kLanes], s[kLanes], x[kLanes] = {};
-  for (Index begin = piece.begin; begin < piece.end; begin += kLanes) {
-    const int count = load_lanes(order, begin, piece.end, t, s);
-    legendre_lanes(t, n.qo, p);
-    legendre_lanes(s, n.qi, ps);
-    transpose(ps, n.qi, q);
-    for (int k = count; k < kLanes; ++k) x[k] = 0;
-    for (int k = 0; k < count; ++k) x[k] = order.weight(begin + k);
-    add_products(x, p, q, n.qo, n.stride, matrix);
+  Batch batch;
+  for (Index begin = piece.begin; begin < piece.end; begin += kBatch) {
+    batch.load(order, begin, piece.end, n.qo, n.qi);
+    for (int g = 0; g < batch.groups; ++g) batch.x[g] = batch.weight[g];
+    batch.add_sums<Counts::most_moments>(n.qo, n.qi, n.stride, matrix);
     for (int e = 0; e < dimension; ++e) {
-      for (int k = 0; k < count; ++k) x[k] = order.weight(begin + k) * order.value(begin + k)[e];
-      add_products(x, p, q, n.wo, n.wi, rhs + e * n.wo * n.wi);
+      for (int k = 0; k < batch.count; ++k)
+        batch.x[k / kLanes][k % kLanes] = batch.weight[k / kLanes][k % kLanes] * order.value(begin + k)[e];
+      batch.add_sums<Counts::most_width>(n.wo, n.wi, n.wi, rhs + e * n.wo * n.wi);
     }
   }
 }
@@ -96,18 +118,15 @@ template <class Counts>
 [[gnu::always_inline]] inline void rhs_moments(const Counts& n, const CellOrder& order,
                                                const CellPiece& piece, const double* values, double* rhs) {
   const int dimension = order.dimension();
-  alignas(64) Lanes p, ps;
-  alignas(64) double q[kLanes][kPadded] = {}, t[kLanes], s[kLanes], x[kLanes] = {};
-  for (Index begin = piece.begin; begin < piece.end; begin += kLanes) {
-    const int count = load_lanes(order, begin, piece.end, t, s);
-    legendre_lanes(t, n.wo, p);
-    legendre_lanes(s, n.wi, ps);
-    transpose(ps, n.wi, q);
-    for (int k = count; k < kLanes; ++k) x[k] = 0;
+  Batch batch;
+  for (Index begin = piece.begin; begin < piece.end; begin += kBatch) {
+    batch.load(order, begin, piece.end, n.wo, n.wi);
+    for (int g = 0; g < batch.groups; ++g) batch.x[g] = batch.weight[g];
     for (int e = 0; e < dimension; ++e) {
-      for (int k = 0; k < count; ++k)
-        x[k] = order.weight(begin + k) * values[order.stored(begin + k) * dimension + e];
-      add_products(x, p, q, n.wo, n.wi, rhs + e * n.wo * n.wi);
+      for (int k = 0; k < batch.count; ++k)
+        batch.x[k / kLanes][k % kLanes] =
+            batch.weight[k / kLanes][k % kLanes] * values[order.stored(begin + k) * dimension + e];
+      batch.add_sums<Counts::most_width>(n.wo, n.wi, n.wi, rhs + e * n.wo * n.wi);
     }
   }
 }

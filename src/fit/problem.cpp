@@ -43,6 +43,10 @@ ScatteredBackend& FitProblem::scattered() {
   return *scattered_;
 }
 
+void FitProblem::take_new_points() {
+  scattered().append(points_, scattered().points().size());
+}
+
 bool FitProblem::factor(const InteriorKnots& knots) {
   ++fits_;
   knots_ = knots;

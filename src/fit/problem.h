@@ -41,6 +41,8 @@ class FitProblem {
   // For knots that move; needs LeastSquaresOptions::use_grid = false.
   /// The points' backend: weights, residuals, the Jacobian in the knots.
   ScatteredBackend& scattered();
+  /// The points it was made of have grown: takes the new ones in. Solve or evaluate before anything else.
+  void take_new_points();
   /// Assembles and factors at these knots, as solve() does, and leaves net and residuals as they are.
   bool factor(const InteriorKnots& knots);
   /// Takes any net on these knots and measures its residuals; nothing is factored.

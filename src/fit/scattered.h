@@ -27,6 +27,12 @@ class ScatteredBackend final : public FitBackend {
   const CellOrder& points() const { return order_; }
   /// Weights of the next fits, in the stored order.
   void set_weights(std::vector<double> weights) { order_.set_weights(std::move(weights)); }
+  /// More points of the same data, from index `first` on, behind the others in the stored order.
+  void append(const ParameterizedPoints& points, Index first) {
+    order_.append(points, first);
+    arranged_u_ = arranged_v_ = {};
+    residual_.clear();
+  }
   /// Only the first `points` of the points given count in the sums of squares and the maximum.
   void count_first(Index points) { counted_ = points; }
   Index counted() const { return counted_; }

@@ -1,11 +1,13 @@
 #include "refine/guard.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "fit/scattered.h"
+#include "knotfit/evaluate.h"
 #include "refine/cover.h"
-#include "verify/reference_field.h"
 namespace knotfit {
 namespace {
 
@@ -13,70 +15,112 @@ namespace {
 constexpr double kRadius = 1, kBorder = 0.5;  // of the fill
 constexpr double kReserveRadius = 0.7, kReserveBorder = 0.4;
 constexpr double kWeight = 0.3, kSlack = 1.25, kJoin = 1.02, kDrop = 3;
+// A place matters where the gap is above this share of the cell's shorter side, or the cell holds fewer points.
+constexpr double kWideGap = 0.25;
+constexpr Index kFewPoints = 40;
+
+double infinity() {
+  return std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
 Guard::Guard(const ParameterizedPoints& points, double tolerance, const InteriorKnots& metric,
-             const std::function<bool()>& stop)
-    : tolerance_(tolerance), points_(points), data_count_(points.size()) {
+             std::function<bool()> stop)
+    : tolerance_(tolerance),
+      stop_(std::move(stop)),
+      field_(points, tolerance, metric.u, metric.v, 1),
+      points_(points),
+      data_count_(points.size()),
+      base_(points.weights.empty() ? std::vector<double>(points.size(), 1.0) : points.weights),
+      inverse_slack_(points.size(), 1.0) {
   points_.source.clear();
-  base_ = points.weights.empty() ? std::vector<double>(points.size(), 1.0) : points.weights;
-  inverse_slack_.assign(points.size(), 1.0);
-  joined_.assign(points.size(), 1);
-  const verify::ReferenceField field(points, tolerance, metric.u, metric.v, 1);
-  const auto go_on = [&](Index) { return !stop || !stop(); };
-  for (bool fill : {true, false}) {
-    const auto places = fill ? cover_gaps(field.neighbours(), kRadius, kBorder)
-                             : cover_gaps(field.neighbours(), kReserveRadius, kReserveBorder);
-    const std::vector<verify::ReferenceValue> references = field.at(places, go_on);
-    if (references.size() == places.size()) add(places, references, fill);  // else it was stopped
-  }
-  if (!points_.weights.empty()) points_.weights.resize(points_.size(), 1.0);
+  mean_weight_ = std::accumulate(base_.begin(), base_.end(), 0.0) / static_cast<double>(data_count_);
+  for (bool fill : {true, false})
+    for (const auto& place : fill ? cover_gaps(field_.neighbours(), kRadius, kBorder)
+                                  : cover_gaps(field_.neighbours(), kReserveRadius, kReserveBorder))
+      sites_.push_back({.place = place,
+                        .gap = field_.neighbours().gap(place[0], place[1]),
+                        .fill = fill,
+                        .reference = {}});
 }
 
-void Guard::add(const std::vector<std::array<double, 2>>& places,
-                const std::vector<verify::ReferenceValue>& references, bool joined) {
-  const double mean_weight =
-      std::accumulate(base_.begin(), base_.begin() + data_count_, 0.0) / static_cast<double>(data_count_);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const verify::ReferenceValue& r = references[i];
-    const double e = r.error_bar / tolerance_;
-    if (!(e <= kDrop)) continue;  // nothing to hold to
-    points_.uv.insert(points_.uv.end(), places[i].begin(), places[i].end());
-    points_.values.insert(points_.values.end(), r.value.begin(), r.value.end());
-    base_.push_back(mean_weight * kWeight / (1 + 4 * e * e));
-    inverse_slack_.push_back(e > 1 || r.gap > verify::kHole ? 0 : 1 / (kSlack + e));
-    joined_.push_back(joined);
-    fill_count_ += joined;
+double Guard::slack(const Site& site) const {
+  const double e = site.reference.error_bar / tolerance_;
+  return e > 1 || site.reference.gap > verify::kHole ? infinity() : kSlack + e;
+}
+
+std::vector<Index> Guard::sites_that_matter(FitProblem& problem, bool fill_only) {
+  const Axis &u = problem.axis_u(), &v = problem.axis_v();
+  std::vector<Index> count(u.spans() * v.spans(), 0);
+  for (Index k = 0; k < points_.size(); ++k) ++count[u.span(points_.u(k)) * v.spans() + v.span(points_.v(k))];
+  std::vector<Index> here, unknown;
+  for (Index i = 0; i < static_cast<Index>(sites_.size()); ++i) {
+    const Site& site = sites_[i];
+    if (site.state == Site::joined || (fill_only && !site.fill)) continue;
+    const Index a = u.span(site.place[0]), b = v.span(site.place[1]);
+    if (site.gap <= kWideGap * std::min(u.length(a), v.length(b)) && count[a * v.spans() + b] >= kFewPoints)
+      continue;
+    here.push_back(i);
+    if (site.state == Site::open) unknown.push_back(i);
   }
+  std::vector<verify::Place> places;
+  for (Index i : unknown) places.push_back(sites_[i].place);
+  const auto references = field_.at(places, [&](Index) { return !stop_ || !stop_(); });
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    sites_[unknown[i]].reference = references[i];
+    sites_[unknown[i]].state = Site::known;
+  }
+  std::erase_if(here, [&](Index i) {  // stopped, or nothing to hold to
+    return sites_[i].state != Site::known || !(sites_[i].reference.error_bar <= kDrop * tolerance_);
+  });
+  return here;
+}
+
+void Guard::join(Site& site) {
+  const double e = site.reference.error_bar / tolerance_, g = slack(site);
+  points_.uv.insert(points_.uv.end(), site.place.begin(), site.place.end());
+  points_.values.insert(points_.values.end(), site.reference.value.begin(), site.reference.value.end());
+  base_.push_back(mean_weight_ * kWeight / (1 + 4 * e * e));
+  inverse_slack_.push_back(1 / g);
+  if (!points_.weights.empty()) points_.weights.push_back(base_.back());
+  site.state = Site::joined;
 }
 
 PointShares Guard::shares(FitProblem& problem) const {
   const CellOrder& order = problem.scattered().points();
   PointShares shares{std::vector<double>(order.size()), std::vector<double>(order.size())};
   for (Index i = 0; i < order.size(); ++i) {
-    const Index k = order.input(i);
-    shares.base[i] = joined_[k] ? base_[k] : 0;
-    shares.inverse_slack[i] = joined_[k] ? inverse_slack_[k] : 0;
+    shares.base[i] = base_[order.input(i)];
+    shares.inverse_slack[i] = inverse_slack_[order.input(i)];
   }
   return shares;
 }
 
+Index Guard::fill(FitProblem& problem) {
+  const std::vector<Index> sites = sites_that_matter(problem, true);
+  for (Index i : sites) join(sites_[i]);
+  return static_cast<Index>(sites.size());
+}
+
 Index Guard::exchange(FitProblem& problem) {
-  const CellOrder& order = problem.scattered().points();
-  const std::vector<double>& residual = problem.scattered().residual();
+  const std::vector<Index> sites = sites_that_matter(problem, false);
+  std::vector<double> uv;
+  for (Index i : sites) uv.insert(uv.end(), sites_[i].place.begin(), sites_[i].place.end());
+  const std::vector<double> values = evaluate(problem.surface(), uv);
   const int d = points_.dimension;
   Index count = 0;
-  for (Index i = 0; i < order.size(); ++i) {
-    const Index k = order.input(i);
-    if (joined_[k]) continue;
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    Site& site = sites_[sites[k]];
     double square = 0;
-    for (int e = 0; e < d; ++e) square += residual[i * d + e] * residual[i * d + e];
-    if (std::sqrt(square) * inverse_slack_[k] <= kJoin * tolerance_) continue;
-    joined_[k] = 1;
+    for (int e = 0; e < d; ++e) {
+      const double r = values[k * d + e] - site.reference.value[e];
+      square += r * r;
+    }
+    if (std::sqrt(square) <= kJoin * slack(site) * tolerance_) continue;
+    join(site);
     ++count;
   }
-  fill_count_ += count;
   return count;
 }
 

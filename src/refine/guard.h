@@ -8,35 +8,53 @@
 #include "knotfit/interior_knots.h"
 #include "knotfit/points.h"
 #include "refine/minimax.h"
-#include "verify/local_reference.h"
+#include "verify/reference_field.h"
 namespace knotfit {
 
+/// References are expensive, so a place gets its own only where a net could go astray there: where the gap in
+/// the data is wide for the cell, or the cell holds few points. (Of all that ever joined on the synthetic
+/// sets, the widest margin was a gap of 0.44 of the cell and 26 points.)
 class Guard {
  public:
   /// \param metric  knots of the error model's fine stage
   /// \param stop    asked between batches; may be empty
   Guard(const ParameterizedPoints& points, double tolerance, const InteriorKnots& metric,
-        const std::function<bool()>& stop);
+        std::function<bool()> stop);
 
-  /// The data, then the fill points, then the reserve. Only the first data_count() are data.
+  /// The data, then the points that joined it. Only the first data_count() are data.
   const ParameterizedPoints& points() const { return points_; }
   Index data_count() const { return data_count_; }
-  Index fill_count() const { return fill_count_; }  ///< in force, reserve points that joined included
+  Index fill_count() const { return points_.size() - data_count_; }
 
-  /// Shares of the points in the problem's stored order; the reserve that has not joined has weight 0.
+  /// Shares of the points in the problem's stored order.
   PointShares shares(FitProblem& problem) const;
-  /// Reserve points where the problem's present surface is above 1.02 slack tolerance join the fill for
-  /// good. \return their number
+  /// The fill points that matter to the problem's present knots join for good: the problem has to take
+  /// them in. \return their number
+  Index fill(FitProblem& problem);
+  /// Likewise the places, of fill and reserve, where its present surface is above 1.02 slack tolerance.
   Index exchange(FitProblem& problem);
 
  private:
-  void add(const std::vector<std::array<double, 2>>& places,
-           const std::vector<verify::ReferenceValue>& references, bool joined);
+  struct Site {
+    std::array<double, 2> place;
+    double gap;  ///< distance to the nearest point
+    bool fill;
+    enum { open, known, joined } state = open;
+    verify::ReferenceValue reference;  ///< where known
+  };
+  /// Sites not joined that matter to the knots, their references computed. Those without one are left out.
+  std::vector<Index> sites_that_matter(FitProblem& problem, bool fill_only);
+  double slack(const Site& site) const;  ///< infinity: not held to the maximum
+  void join(Site& site);
+
   double tolerance_;
+  std::function<bool()> stop_;
+  verify::ReferenceField field_;
   ParameterizedPoints points_;
-  Index data_count_, fill_count_ = 0;
-  std::vector<double> base_, inverse_slack_;  ///< a point, input order
-  std::vector<char> joined_;
+  Index data_count_;
+  double mean_weight_ = 1;
+  std::vector<Site> sites_;
+  std::vector<double> base_, inverse_slack_;  ///< of points_
 };
 
 }  // namespace knotfit

@@ -167,9 +167,26 @@ const SizeOutcome& OptimizedSizes::place_only(const Spans& spans, Entry& entry) 
   return entry.outcome;
 }
 
-void OptimizedSizes::finish(Entry& entry, const Start& start) {
+void OptimizedSizes::take_new_points() {
+  problem_.take_new_points();
+  use_base_weights();
+}
+
+void OptimizedSizes::fill(Start& start) {
+  const double near = (to_maximum_ ? kMinimaxReach : 1.2) * attempts_.tolerance().value;
+  for (int round = 0; round < 3 && guard_ && start.error < near && !attempts_.stopped(); ++round) {
+    problem_.solve(start.knots);
+    if (guard_->fill(problem_) == 0) return;
+    take_new_points();
+    start.phi = minimize_over_knots(problem_, start.knots, levenberg_);
+    start.error = measured();
+  }
+}
+
+void OptimizedSizes::finish(Entry& entry, Start& start) {
   const double tolerance = attempts_.tolerance().value;
   use_base_weights();
+  fill(start);
   problem_.solve(start.knots);
   double error = measured();
   bool least_squares = true;
@@ -201,11 +218,13 @@ void OptimizedSizes::finish(Entry& entry, const Start& start) {
       break;
     }
   }
-  // A surface that holds answers to the reserve too.
+  // A surface that holds answers to all places between the data where it could go astray.
   for (int round = 0; round < 4 && guard_ && to_maximum_ && error <= tolerance; ++round) {
     problem_.evaluate(state.knots, state.net);
     if (guard_->exchange(problem_) == 0) break;
-    shares_ = guard_->shares(problem_);
+    take_new_points();
+    problem_.factor(state.knots);
+    problem_.evaluate(state.knots, state.net);
     state.residual = problem_.scattered().residual();
     error = state.max = largest_error(problem_, shares_);
     if (error > tolerance && minimax) improve();

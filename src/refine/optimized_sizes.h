@@ -34,7 +34,10 @@ class OptimizedSizes final : public SizeSolver {
   /// Nets too large to optimise: the error model's knots, least squares.
   const SizeOutcome& place_only(const Spans& spans, Entry& entry);
   /// From a least-squares optimum: the tolerance by minimax, honest by exchange. Offers what it finds.
-  void finish(Entry& entry, const Start& start);
+  void finish(Entry& entry, Start& start);
+  /// Fill points join where these knots make them matter, and the knots adapt to them.
+  void fill(Start& start);
+  void take_new_points();
   double measured() const;
   void use_base_weights();
 

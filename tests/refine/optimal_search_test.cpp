@@ -82,17 +82,49 @@ TEST(Cover, LeavesNoNodeFartherThanItsRadius) {
     }
 }
 
-TEST(Guard, HoldsTheSurfaceWhereItCanSayWhatTheDataSays) {
+FitProblem moving(const ParameterizedPoints& points) {
+  LeastSquaresOptions fit;
+  fit.refinement_steps = 0;
+  fit.use_grid = false;
+  return FitProblem(points, 3, 3, fit);
+}
+
+TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
   const ParameterizedPoints points = synthetic_points("franke", 4000);
   const double tolerance = 1e-3 * synthetic_diagonal(points);
-  const Guard guard(points, tolerance, {uniform_knots(12), uniform_knots(12)}, {});
+  Guard guard(points, tolerance, {uniform_knots(12), uniform_knots(12)}, {});
   EXPECT_EQ(guard.data_count(), points.size());
-  EXPECT_GT(guard.fill_count(), 200);
-  EXPECT_GT(guard.points().size(), points.size() + guard.fill_count());  // and a reserve
+  EXPECT_EQ(guard.fill_count(), 0);
+  FitProblem problem = moving(guard.points());
+  problem.solve({uniform_knots(5), uniform_knots(5)});
+  EXPECT_EQ(guard.fill(problem), 0);  // 110 points a cell: nowhere to go astray
+  problem.solve({uniform_knots(24), uniform_knots(24)});
+  const Index joined = guard.fill(problem);
+  EXPECT_GT(joined, 200);
+  EXPECT_EQ(guard.fill_count(), joined);
+  EXPECT_EQ(guard.points().size(), points.size() + joined);
+  problem.take_new_points();
+  problem.solve({uniform_knots(24), uniform_knots(24)});
+  EXPECT_EQ(guard.fill(problem), 0);  // they joined for good
   for (Index k = points.size(); k < guard.points().size(); ++k) {
     const double truth = franke(guard.points().u(k), guard.points().v(k));
     EXPECT_NEAR(guard.points().value(k)[0], truth, 4 * tolerance);
   }
+}
+
+TEST(Guard, TakesInWhereASurfaceGoesAstray) {
+  const ParameterizedPoints points = synthetic_points("franke", 4000);
+  const double tolerance = 1e-3 * synthetic_diagonal(points);
+  Guard guard(points, tolerance, {uniform_knots(12), uniform_knots(12)}, {});
+  FitProblem problem = moving(guard.points());
+  const InteriorKnots knots{uniform_knots(24), uniform_knots(24)};
+  problem.solve(knots);
+  EXPECT_LE(guard.exchange(problem), 5);  // a fair fit is near the reference at most of 1 000 places
+  std::vector<double> net = problem.net();
+  for (double& c : net) c += 10 * tolerance;
+  problem.take_new_points();
+  problem.evaluate(knots, net);
+  EXPECT_GT(guard.exchange(problem), 200);
 }
 
 TEST(OptimalSearch, NeedsFewerControlPointsThanPlacedKnots) {
