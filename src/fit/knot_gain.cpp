@@ -33,16 +33,21 @@ std::vector<double> knot_gains(FitProblem& fitted, bool along_v) {
     return lengths;
   }
 
-  // The axis with a knot added at the middle of span s, and the function centred on it.
+  // The function centred on a knot added at the middle of span s, as Legendre coefficients on each span near
+  // s; on s itself it has two halves, each in its own coordinate.
+  const int w = m + 1, near = 2 * reach + 2;  // spans s - reach .. s + reach, and the second half of s
+  std::vector<double> phi(spans * near * w, 0.0);
   const std::vector<double> interior = along.knots().interior();
-  std::vector<Axis> refined;
-  std::vector<double> middle(spans);
-  refined.reserve(spans);
   for (Index s = 0; s < spans; ++s) {
-    middle[s] = along.low(s) + along.length(s) / 2;
+    if (along.length(s) <= 0) continue;
     std::vector<double> knots = interior;
-    if (along.length(s) > 0) knots.insert(knots.begin() + s, middle[s]);
-    refined.emplace_back(m, knots);
+    knots.insert(knots.begin() + s, along.low(s) + along.length(s) / 2);
+    const Axis refined(m, knots);
+    const Index centre = s + m + 1 - (m + 1) / 2;
+    for (Index z = std::max<Index>(0, centre - m); z <= std::min(spans, centre); ++z) {
+      const Index slot = (z <= s ? z - s + reach : z == s + 1 ? near - 1 : z - 1 - s + reach);
+      for (int a = 0; a < w; ++a) phi[(s * near + slot) * w + a] = refined.basis(z)[a * w + centre - z];
+    }
   }
 
   struct Sums {
@@ -61,25 +66,28 @@ std::vector<double> knot_gains(FitProblem& fitted, bool along_v) {
       points.size(),
       [&](Index begin, Index end) {
         Sums sum{std::vector<double>(spans * nj * d, 0.0), std::vector<double>(spans * nj, 0.0)};
-        double b[kMaxDegree + 1], phi[kMaxDegree + 1];
+        double b[kMaxDegree + 1], p[kMaxDegree + 1], half[kMaxDegree + 1];
         for (Index i = begin; i < end; ++i) {
           const double x = along_v ? points.stored_v(i) : points.stored_u(i);
           const double y = along_v ? points.stored_u(i) : points.stored_v(i);
           const Index sx = along.span(x), sy = across.span(y);
+          const double t = along.local(sx, x);
           span_values(across, sy, across.local(sy, y), b);
-          const double w = points.weights().empty() ? 1.0 : points.weights()[i];
+          legendre_values(t, w, p);
+          legendre_values(t < 0 ? 2 * t + 1 : 2 * t - 1, w, half);
+          const double weight = points.weights().empty() ? 1.0 : points.weights()[i];
           for (Index s = std::max<Index>(0, sx - reach); s <= std::min(spans - 1, sx + reach); ++s) {
-            if (along.length(s) <= 0) continue;
-            const Axis& axis = refined[s];
-            const Index centre = s + m + 1 - (m + 1) / 2;
-            const Index z = axis.span(x), local = centre - z;
-            if (local < 0 || local > m) continue;
-            span_values(axis, z, axis.local(z, x), phi);
+            const Index slot = s == sx && t >= 0 ? near - 1 : sx - s + reach;
+            const double *c = phi.data() + (s * near + slot) * w, *q = s == sx ? half : p;
+            double value = 0;
+            for (int a = 0; a < w; ++a) value += c[a] * q[a];
+            if (value == 0) continue;
+            double* below = sum.denominator.data() + s * nj + sy;
+            double* above = sum.numerator.data() + (s * nj + sy) * d;
             for (int j = 0; j <= across.degree(); ++j) {
-              const double q = phi[local] * b[j];
-              const Index at = s * nj + sy + j;
-              sum.denominator[at] += w * q * q;
-              for (int e = 0; e < d; ++e) sum.numerator[at * d + e] += w * residual[i * d + e] * q;
+              const double product = value * b[j];
+              below[j] += weight * product * product;
+              for (int e = 0; e < d; ++e) above[j * d + e] += weight * residual[i * d + e] * product;
             }
           }
         }

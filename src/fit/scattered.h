@@ -24,6 +24,8 @@ class ScatteredBackend final : public FitBackend {
   /// \param golub_pereyra  with the exact Jacobian's second term; without it Kaufman's, which finds better
   ///   optima at two thirds of the cost (METHOD 3)
   KnotJacobian knot_jacobian(const std::vector<double>& net, bool golub_pereyra = false) const;
+  /// See knot_loss.h; of the factor and the net at hand.
+  std::vector<double> knot_losses(const std::vector<double>& net, bool along_v) const;
   const CellOrder& points() const { return order_; }
   /// Weights of the next fits, in the stored order.
   void set_weights(std::vector<double> weights) { order_.set_weights(std::move(weights)); }

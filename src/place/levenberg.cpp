@@ -93,7 +93,7 @@ double minimize_over_knots(FitProblem& problem, InteriorKnots& knots, const Leve
       break;
     }
     small_falls = fall < options.fall ? small_falls + 1 : 0;
-    if (small_falls >= 2) break;
+    if (small_falls >= 2 || (step > 1 && phi * (1 - 5 * fall) > options.target && options.target > 0)) break;
   }
   return phi;
 }

@@ -7,9 +7,11 @@
 namespace knotfit {
 
 struct LevenbergOptions {
-  int steps = 40;              ///< at most
-  double least_span = 0.005;   ///< of the mean span; 15 % costs two thirds more control points on a step
-  double fall = 1e-3;          ///< two relative falls of phi below this end it
+  int steps = 40;             ///< at most
+  double least_span = 0.005;  ///< of the mean span; 15 % costs two thirds more control points on a step
+  double fall = 1e-3;         ///< two relative falls of phi below this end it
+  /// Ends where five more steps as good as the last would not bring phi below it; 0: none.
+  double target = 0;
   bool golub_pereyra = false;  ///< the exact Jacobian: no better optima, 1.5 times the cost
   std::function<bool()> stop;  ///< asked between steps; may be empty
 };

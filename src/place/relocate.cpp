@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "fit/knot_gain.h"
+#include "fit/knot_loss.h"
 namespace knotfit {
 namespace {
 
@@ -21,6 +22,12 @@ void insert_at_gain(FitProblem& problem, InteriorKnots& knots, bool along_v) {
   k.insert(k.begin() + span, axis.low(span) + axis.length(span) / 2);
 }
 
+/// What each knot of a direction is worth; all alike where these knots cannot be fitted.
+std::vector<double> losses(FitProblem& problem, const InteriorKnots& knots, bool along_v) {
+  if (problem.solve(knots)) return knot_losses(problem, along_v);
+  return std::vector<double>((along_v ? knots.v : knots.u).size(), 0.0);
+}
+
 LevenbergOptions with_steps(LevenbergOptions options, int steps) {
   options.steps = steps;
   return options;
@@ -28,26 +35,13 @@ LevenbergOptions with_steps(LevenbergOptions options, int steps) {
 
 }  // namespace
 
-std::vector<double> knot_losses(FitProblem& problem, const InteriorKnots& knots, bool along_v) {
-  const auto& k = along_v ? knots.v : knots.u;
-  std::vector<double> losses;
-  for (std::size_t i = 0; i < k.size(); ++i) {
-    InteriorKnots without = knots;
-    auto& rest = line(without, along_v);
-    rest.erase(rest.begin() + static_cast<Index>(i));
-    problem.solve(without);
-    losses.push_back(problem.phi());
-  }
-  return losses;
-}
-
 double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
                       const LevenbergOptions& levenberg, const RelocationOptions& options) {
   for (int pass = 0; pass < options.passes; ++pass) {
     bool moved = false;
     for (bool along_v : {false, true}) {
       if (line(knots, along_v).size() < 2 || (levenberg.stop && levenberg.stop())) continue;
-      const std::vector<double> loss = knot_losses(problem, knots, along_v);
+      const std::vector<double> loss = losses(problem, knots, along_v);
       std::vector<std::size_t> order(loss.size());
       std::iota(order.begin(), order.end(), 0);
       std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return loss[a] < loss[b]; });
@@ -58,7 +52,9 @@ double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
         k.erase(k.begin() + static_cast<Index>(c));
         minimize_over_knots(problem, trial, with_steps(levenberg, 3));
         insert_at_gain(problem, trial, along_v);
-        const double after = minimize_over_knots(problem, trial, levenberg);
+        LevenbergOptions towards = levenberg;
+        towards.target = phi * (1 - options.gain);
+        const double after = minimize_over_knots(problem, trial, towards);
         if (after < phi * (1 - options.gain)) {
           phi = after;
           knots = trial;
@@ -112,7 +108,7 @@ InteriorKnots adapt_knots(FitProblem& problem, InteriorKnots knots, std::size_t 
   for (bool along_v : {false, true}) {
     const std::size_t wanted = along_v ? count_v : count_u;
     while (line(knots, along_v).size() > wanted) {
-      const std::vector<double> loss = knot_losses(problem, knots, along_v);
+      const std::vector<double> loss = losses(problem, knots, along_v);
       auto& k = line(knots, along_v);
       k.erase(k.begin() + (std::min_element(loss.begin(), loss.end()) - loss.begin()));
       minimize_over_knots(problem, knots, few);

@@ -9,9 +9,6 @@ struct RelocationOptions {
   double gain = 1e-3;  ///< relative fall of phi that keeps a move
 };
 
-/// phi without each knot in turn (copies of a multiple knot one at a time): plain fits.
-std::vector<double> knot_losses(FitProblem& problem, const InteriorKnots& knots, bool along_v);
-
 /// Drops the knot of least loss, inserts one at the greatest gain, optimises, keeps it if phi falls; until
 /// a pass over both directions finds none. The problem holds the fit of the result. \return phi there
 double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
