@@ -22,6 +22,8 @@ void openblas_set_num_threads(int) __attribute__((weak));
 namespace knotfit {
 namespace {
 
+constexpr Index kNarrow = 64;  // LAPACK's blocks start beyond
+
 void one_blas_thread() {
   static const bool done = [] {
     if (openblas_set_num_threads) openblas_set_num_threads(1);
@@ -64,7 +66,10 @@ bool BandMatrix::factor() {
   int info = 0;
   std::vector<double> diagonal(static_cast<std::size_t>(size_));
   for (Index j = 0; j < size_; ++j) diagonal[j] = data_[j * ld];
-  dpbtrf_("L", &n, &kd, data_.data(), &ld, &info);
+  if (bandwidth_ <= kNarrow)
+    info = factor_narrow_band(data_.data(), size_, bandwidth_) ? 0 : 1;
+  else
+    dpbtrf_("L", &n, &kd, data_.data(), &ld, &info);
   if (info != 0) return false;
   // A pivot that is rounding of its diagonal, or no number: singular to working precision.
   for (Index j = 0; j < size_; ++j) {

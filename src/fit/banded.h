@@ -39,7 +39,7 @@ class BandMatrix {
   void add(Index i, Index j, double value) { data_[j * (bandwidth_ + 1) + i - j] += value; }
   double trace() const;
   double norm_1() const;  ///< largest column sum of the full symmetric matrix
-  /// Cholesky factor in place (dpbtrf). \return false where the matrix is not positive definite to working
+  /// Cholesky factor in place (dpbtrf where the band is wide). \return false where the matrix is not positive definite to working
   /// precision
   bool factor();
   /// Solves with the factor in place; x is size x columns, column after column (dpbtrs).

@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-// The vector width never shows in a result: products and sums stay separate (-ffp-contract=off) and
-// no loop over points is reordered.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(KNOTFIT_SANITIZED)
-#define KNOTFIT_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define KNOTFIT_CLONES
-#endif
+#include "base/clones.h"
 
 namespace knotfit {
 namespace {
@@ -225,6 +220,22 @@ ResidualSums set_residuals(const CellOrder& order, const CellPiece& piece, int d
   if (degree_outer == degree_inner && degree_outer <= 5)
     return kernels[degree_outer - 1](order, piece, counted, c, x);
   return residuals(DynamicCounts(degree_outer, degree_inner), order, piece, counted, c, x);
+}
+
+KNOTFIT_CLONES bool factor_narrow_band(double* band, Index rows, Index bandwidth) {
+  for (Index j = 0; j < rows; ++j) {
+    double* __restrict column = band + j * (bandwidth + 1);
+    if (!(column[0] > 0)) return false;
+    column[0] = std::sqrt(column[0]);
+    const Index below = std::min(bandwidth, rows - 1 - j);
+    for (Index k = 1; k <= below; ++k) column[k] /= column[0];
+    for (Index k = 1; k <= below; ++k) {
+      const double factor = column[k];
+      double* __restrict other = band + (j + k) * (bandwidth + 1);
+      for (Index i = 0; i <= below - k; ++i) other[i] -= column[k + i] * factor;
+    }
+  }
+  return true;
 }
 
 KNOTFIT_CLONES void forward_block(const double* factor, Index rows, Index bandwidth, double* x) {

@@ -25,6 +25,10 @@ void add_rhs_moments(const CellOrder& order, const CellPiece& piece, int degree_
 ResidualSums set_residuals(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
                            Index counted, const double* c, double* x);
 
+/// Cholesky factor in place, lower band storage. For narrow bands: there LAPACK's dpbtrf goes column by column
+/// through calls too short to pay. \return false at a pivot that is not positive
+bool factor_narrow_band(double* band, Index rows, Index bandwidth);
+
 /// x <- L^-1 x for 8 columns side by side, x rows x 8; L in lower band storage.
 void forward_block(const double* factor, Index rows, Index bandwidth, double* x);
 

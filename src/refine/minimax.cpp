@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/clones.h"
 #include "base/parallel.h"
 #include "fit/scattered.h"
 #include "place/levenberg.h"
@@ -11,14 +12,16 @@ namespace {
 
 constexpr double kSquares = 1e-3;  // share of plain squares in the merit: beat 1e-2 and 1e-4 (METHOD 4)
 
-/// q^(power/2) for a square q >= 0 and a whole power: products and at most one root.
-inline double half_power(double q, int power) {
-  double result = power % 2 ? std::sqrt(q) : 1.0;
+constexpr int kBlock = 64;  // points whose powers are taken at once
+
+/// result_i = q_i^(power/2) for squares q >= 0 and a whole power: products and at most one root. Spoils q.
+KNOTFIT_CLONES void half_powers(double* q, int power, double* result) {
+  for (int i = 0; i < kBlock; ++i) result[i] = power % 2 ? std::sqrt(q[i]) : 1.0;
   for (int n = power / 2; n > 0; n /= 2) {
-    if (n % 2) result *= q;
-    q *= q;
+    if (n % 2)
+      for (int i = 0; i < kBlock; ++i) result[i] *= q[i];
+    for (int i = 0; i < kBlock; ++i) q[i] *= q[i];
   }
-  return result;
 }
 
 /// Phi = sum (q/g)^P / P + eps omega q^2 / 2 with q = |r| / scale, at fixed P and scale.
@@ -32,15 +35,21 @@ class Merit {
     const int d = problem_.points().dimension;
     const double inverse = 1 / (scale_ * scale_);
     return parallel_sum<double>(static_cast<Index>(residual.size()) / d, [&](Index begin, Index end) {
-      double sum = 0;
-      for (Index i = begin; i < end; ++i) {
-        double q = 0;
-        for (int e = 0; e < d; ++e) {
-          const double r = residual[i * d + e] + t * (other[i * d + e] - residual[i * d + e]);
-          q += r * r;
+      double sum = 0, q[kBlock] = {}, scaled[kBlock] = {}, powers[kBlock];
+      for (Index first = begin; first < end; first += kBlock) {
+        const int count = static_cast<int>(std::min<Index>(kBlock, end - first));
+        for (int k = 0; k < count; ++k) {
+          const Index i = first + k;
+          double square = 0;
+          for (int e = 0; e < d; ++e) {
+            const double r = residual[i * d + e] + t * (other[i * d + e] - residual[i * d + e]);
+            square += r * r;
+          }
+          q[k] = square * inverse;
+          scaled[k] = q[k] * slack2(i);
         }
-        q *= inverse;
-        sum += half_power(q * slack2(i), power_) / power_ + kSquares * base(i) * q / 2;
+        half_powers(scaled, power_, powers);
+        for (int k = 0; k < count; ++k) sum += powers[k] / power_ + kSquares * base(first + k) * q[k] / 2;
       }
       return sum;
     });
@@ -52,10 +61,18 @@ class Merit {
     const double inverse = 1 / (scale_ * scale_);
     std::vector<double> w(residual.size() / d);
     parallel_chunks(static_cast<Index>(w.size()), [&](Index, Index begin, Index end) {
-      for (Index i = begin; i < end; ++i) {
-        double q = 0;
-        for (int e = 0; e < d; ++e) q += residual[i * d + e] * residual[i * d + e];
-        w[i] = half_power(q * inverse * slack2(i), power_ - 2) * slack2(i) + kSquares * base(i);
+      double q[kBlock] = {}, powers[kBlock];
+      for (Index first = begin; first < end; first += kBlock) {
+        const int count = static_cast<int>(std::min<Index>(kBlock, end - first));
+        for (int k = 0; k < count; ++k) {
+          const Index i = first + k;
+          double square = 0;
+          for (int e = 0; e < d; ++e) square += residual[i * d + e] * residual[i * d + e];
+          q[k] = square * inverse * slack2(i);
+        }
+        half_powers(q, power_ - 2, powers);
+        for (int k = 0; k < count; ++k)
+          w[first + k] = powers[k] * slack2(first + k) + kSquares * base(first + k);
       }
     });
     return w;
@@ -169,13 +186,14 @@ class Stage {
     state.net = problem_.net();
     state.residual = problem_.scattered().residual();
     value_ = merit_.value(state.residual, state.residual, 0);
+    double first_t = 1;  // of the line search: a step above the last that won
     for (int round = 0; round < rounds; ++round) {
       weights_ = merit_.weights(state.residual);
       problem_.scattered().set_weights(weights_);
       if (!problem_.solve(state.knots)) return false;
       const std::vector<double>& other = problem_.scattered().residual();
       double best = value_, best_t = 0;
-      for (double t = 1; t > 0.3 / (power_ - 1); t *= 0.6) {
+      for (double t = first_t; t > 0.3 / (power_ - 1); t *= 0.6) {
         const double m = merit_.value(state.residual, other, t);
         if (m < best) {
           best = m;
@@ -185,6 +203,7 @@ class Stage {
         }
       }
       if (best_t == 0) break;
+      first_t = std::min(1.0, best_t / 0.6);
       step_towards(state.residual, other, best_t);
       step_towards(state.net, problem_.net(), best_t);
       const double before = value_;

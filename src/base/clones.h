@@ -1,0 +1,10 @@
+// Functions compiled for several instruction sets, the best one chosen when the program starts.
+#pragma once
+
+// The vector width never shows in a result: products and sums stay separate (-ffp-contract=off) and
+// no sum is reordered.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(KNOTFIT_SANITIZED)
+#define KNOTFIT_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define KNOTFIT_CLONES
+#endif
