@@ -145,8 +145,8 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
         const Eigen::Map<const Matrix<q, q>, 0, Eigen::OuterStride<>> moments(
             moments_.data() + start[cell] * (matrix_size + rhs_size), outer.moments(), inner.moments(),
             Eigen::OuterStride<>(stride));
-        half.noalias() = po * moments;
-        gram.noalias() = half * pi.transpose();
+        half.noalias() = po.lazyProduct(moments);
+        gram.noalias() = half.lazyProduct(pi.transpose());
         for (int a = 0; a < wo; ++a)
           for (int a2 = 0; a2 < wo; ++a2)
             for (int b = 0; b < wi; ++b)
@@ -191,8 +191,8 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
                 for (int j = 0; j < wi; ++j) weighted((s + i) * ni + t + j, x * knots + id[e]) += z(i, j);
             }
           }
-          image.noalias() = rows * full;
-          products.noalias() = rows * image.transpose();
+          image.noalias() = rows.lazyProduct(full);
+          products.noalias() = rows.lazyProduct(image.transpose());
           for (int e = 0; e < alive; ++e) {
             if (id[e] < 0) continue;
             for (int e2 = 0; e2 < alive; ++e2)

@@ -62,8 +62,8 @@ bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoo
         const Eigen::Map<const Matrix<q, q>, 0, Eigen::OuterStride<>> mom(m, outer.moments(), inner.moments(),
                                                                           Eigen::OuterStride<>(stride));
         const ConstMap<np, q> pi(inner.products(r), inner.pairs(), inner.moments());
-        half.noalias() = po * mom;
-        gram.noalias() = half * pi.transpose();
+        half.noalias() = po.lazyProduct(mom);
+        gram.noalias() = half.lazyProduct(pi.transpose());
         int row = 0;
         for (int i = 0; i < wo; ++i)
           for (int i2 = 0; i2 <= i; ++i2, ++row) {

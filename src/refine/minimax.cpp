@@ -225,6 +225,11 @@ class Stage {
   double value_ = 0;
 };
 
+/// Stages beyond this power lower the maximum by at most this factor: seen in 100 runs on the synthetic sets.
+double later_gain(double power) {
+  return power < 9 ? 1.8 : power < 13 ? 1.35 : power < 20 ? 1.2 : power < 30 ? 1.1 : power < 45 ? 1.05 : 1.02;
+}
+
 }  // namespace
 
 double largest_error(FitProblem& problem, const PointShares& shares) {
@@ -240,10 +245,15 @@ NetState minimize_maximum(FitProblem& problem, const PointShares& shares, const 
   auto keep = [&](const NetState& s) {
     if (s.max < best.max) best = s;
   };
+  int stale = 0;
   for (double power : options.powers) {
     if (best.max <= options.enough || !(state.max > 0) || (options.stop && options.stop())) break;
+    const double before = best.max;
     Stage stage(problem, shares, options, static_cast<int>(power), state.max);
     if (!stage.run(state, keep)) break;
+    if (options.patience > 0 && best.max > options.patience * later_gain(power) * options.enough) break;
+    stale = best.max < before ? 0 : stale + 1;
+    if (stale == 2) break;
   }
   problem.scattered().set_weights(shares.base);
   problem.factor(best.knots);

@@ -25,6 +25,8 @@ struct MinimaxOptions {
   int outer_steps = 8;        ///< steps of the knots at each P
   int inner_rounds = 6;       ///< reweightings at each step, twice as many at the first of each P
   bool move_knots = true;
+  /// Ends early at a maximum this many times farther from `enough` than later stages ever gained; 0: never.
+  double patience = 0;
   std::vector<double> powers{4, 6, 9, 13, 20, 30, 45, 70, 110};
   std::function<bool()> stop;
 };

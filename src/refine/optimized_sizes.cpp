@@ -13,6 +13,8 @@ namespace {
 constexpr double kMinimaxReach = 3.5;
 // Within this of the tolerance after minimax, relocation in its own weights is worth a try.
 constexpr double kNear = 1.15;
+// Beyond this of it, other optima of the same size are left to the effort "best".
+constexpr double kFar = 1.25;
 // Operations of one fit from which on a net is too large to optimise.
 constexpr double kMostWork = 1e9;
 
@@ -51,7 +53,8 @@ OptimizedSizes::OptimizedSizes(FitProblem& problem, PlacementContext& context, G
   if (options.effort == Effort::best) policy_.retry_within = 4;
   if (options.effort == Effort::balanced) {
     policy_.reach = 2;
-    policy_.hopeless = minimax ? 1.6 : 1.3;
+    policy_.hopeless = minimax ? 1.35 : 1.3;
+    policy_.growth = 2;
   }
   use_base_weights();
 }
@@ -78,10 +81,14 @@ const SizeOutcome* OptimizedSizes::seen(const Spans& spans) const {
 
 bool OptimizedSizes::hopeless(const Spans& c) const {
   return std::any_of(seen_.begin(), seen_.end(), [&](const auto& s) {
-    const SizeOutcome& o = s.second.outcome;
-    const double margin = o.tries > 1 ? policy_.hopeless_twice : policy_.hopeless;
-    return s.first.first >= c.first && s.first.second >= c.second && !o.holds &&
-           o.error > margin * attempts_.tolerance().value;
+    const auto& [spans, outcome] = std::pair<const Spans&, const SizeOutcome&>(s.first, s.second.outcome);
+    if (outcome.holds || spans.first < c.first || spans.second < c.second) return false;
+    double margin = outcome.tries > 1 ? policy_.hopeless_twice : policy_.hopeless;
+    if (policy_.growth > 0)  // the smaller net is expected to be worse by a power of its size
+      margin /= std::pow(
+          static_cast<double>(spans.first) * spans.second / (static_cast<double>(c.first) * c.second),
+          policy_.growth);
+    return outcome.error > margin * attempts_.tolerance().value;
   });
 }
 
@@ -145,6 +152,8 @@ const SizeOutcome& OptimizedSizes::solve(const Spans& spans, const Spans* from) 
   for (std::size_t i = 0; i < optima.size() && !entry.outcome.holds; ++i) {
     if (i > 0 && optima[i].phi > 1.5 * optima.front().phi) break;
     if (i > 0 && std::abs(optima[i].phi - optima.front().phi) < 1e-3 * optima.front().phi) continue;
+    if (i > 0 && options_.effort != Effort::best && entry.outcome.error > kFar * attempts_.tolerance().value)
+      break;
     finish(entry, optima[i]);
     if (attempts_.interrupted()) break;
   }
@@ -196,6 +205,7 @@ void OptimizedSizes::finish(Entry& entry, Start& start) {
   options.enough = tolerance;
   options.least_span = levenberg_.least_span;
   options.stop = levenberg_.stop;
+  options.patience = options_.effort == Effort::best ? 1.1 : 1;
   auto improve = [&] {
     state = minimize_maximum(problem_, shares_, options);
     error = state.max;

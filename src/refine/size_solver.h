@@ -23,6 +23,7 @@ struct SizeOutcome {
 struct WalkPolicy {
   double hopeless = 1.5;        ///< a containing net that failed by this factor rules a size out
   double hopeless_twice = 1.5;  ///< the same after its second try
+  double growth = 0;            ///< the error is taken to grow with this power of the spans left out
   double retry_within = 0;      ///< second tries of sizes that failed by at most this factor; 0: none
   double minimax_gain = 1;      ///< what minimax takes off the least squares' maximum
   int reach = 4;                ///< |p' - p|, |q' - q|
