@@ -282,9 +282,19 @@ void add_parameterize(CLI::App& app, ParameterizeArguments& parameterize) {
            [&] { parameterize.choices.fill_holes = true; });
   add(app, "--input-format", "NAME", "Format of the input, by name; default: by extension, then content",
       "Input", [&](const std::string& t) { parameterize.choices.input.format = t; });
-  add_output_options(
-      app, parameterize.output,
-      "May repeat; by extension: .csv the vertices x,y,z,u,v, .obj the mesh with vt, .ply with s, t");
+  add(app, "--map", one_of(kMaps),
+      "How a mesh is mapped: with little stretch (newton, default), or by mean value coordinates alone",
+      "Meshes", [&](const std::string& t) { parameterize.newton = parse_named(kMaps, t); });
+  add_output_options(app, parameterize.output,
+                     "May repeat; by extension: .csv the vertices x,y,z,u,v, .obj the mesh with vt, .ply "
+                     "with s, t, .png .svg "
+                     ".pdf a picture of the parameter lines on the mesh");
+  add(app, "--lines", "N", "Parts between the parameter lines of a picture, 1 to 200; default 20", "Output",
+      [&](const std::string& t) {
+        const long long n = parse_count(t, 1);
+        if (n > 200) refuse(t, "a number of parts from 1 to 200");
+        parameterize.lines = static_cast<int>(n);
+      });
   add_flag(app, "--json", "One JSON object on standard output: the map's quality", "Output",
            [&] { parameterize.json = true; });
   add_threads(app, parameterize.threads);

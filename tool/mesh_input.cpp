@@ -69,11 +69,13 @@ MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices) {
   return {.mesh = std::move(repaired.mesh), .repaired = repaired.summary, .map = std::nullopt};
 }
 
-MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control) {
+MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control, bool newton) {
   MappedMesh mapped = repaired_mesh(mesh, choices);
   if (!mapped.mesh.uv.empty() && !choices.new_parameters.value_or(false)) return mapped;
   require_disk(mapped.mesh);
-  mapped.map = parameterize_mesh(mapped.mesh, map_options(mapped.mesh, choices), control);
+  MeshMapOptions options = map_options(mapped.mesh, choices);
+  options.newton = newton;
+  mapped.map = parameterize_mesh(mapped.mesh, options, control);
   return mapped;
 }
 

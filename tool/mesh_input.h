@@ -22,7 +22,8 @@ MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices);
 
 /// Repairs the mesh, and maps it unless it has parameters and they are wanted.
 /// \throws InvalidInput  no disk, corners that are none
-MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control);
+/// \param newton  false: the mean value map alone
+MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control, bool newton = true);
 
 /// Vertices as points, with the parameters of the file where it has some; those that only close holes are
 /// left out.

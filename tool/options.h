@@ -115,6 +115,8 @@ struct FitArguments {
 struct ParameterizeArguments {
   std::string input;
   FitChoices choices;
+  bool newton = true;  ///< false: mean value map
+  int lines = 20;      ///< parts between parameter lines in a picture
   OutputOptions output;
   int threads = 0;
   bool quiet = false, json = false;

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "exit_status.h"
 #include "input.h"
 #include "knotfit/errors.h"
+#include "knotfit/map_picture.h"
 #include "knotfit/threads.h"
 #include "mesh_input.h"
 #include "mesh_outputs.h"
@@ -30,8 +32,31 @@ std::string vertices_csv(const Mesh& mesh) {
 
 void check_outputs(const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files)
-    if ((file.kind != OutputKind::table && file.kind != OutputKind::mesh) || file.extension == ".vts")
-      throw InvalidInput(fmt::format("{}: a mesh with parameters becomes .csv, .obj or .ply", file.path));
+    if ((file.kind != OutputKind::table && file.kind != OutputKind::mesh &&
+         file.kind != OutputKind::picture) ||
+        file.extension == ".vts")
+      throw InvalidInput(fmt::format(
+          "{}: a mesh with parameters becomes .csv, .obj or .ply, a picture of its lines .png, .svg "
+          "or .pdf",
+          file.path));
+}
+
+// The mesh the map is linear on, with its lines.
+std::string picture_of(const MappedMesh& mapped, const ParameterizeArguments& arguments,
+                       const std::string& extension) {
+  const MeshMap& map = *mapped.map;
+  const Mesh halved = halve_edges(mapped.mesh, map.halved_edges);
+  std::vector<double> uv = map.uv;
+  uv.insert(uv.end(), map.halved_uv.begin(), map.halved_uv.end());
+  MapPictureInput picture;
+  picture.mesh = &halved;
+  picture.uv = &uv;
+  picture.corners = map.corners;
+  picture.parts = arguments.lines;
+  picture.title = std::filesystem::path(arguments.input).filename().string();
+  picture.subtitle = arguments.newton ? fmt::format("map of little stretch, normals weighted {:g}", map.omega)
+                                      : fmt::format("mean value map, normals weighted {:g}", map.omega);
+  return draw_map_picture(picture, extension);
 }
 
 }  // namespace
@@ -54,13 +79,15 @@ int run_parameterize(const ParameterizeArguments& arguments) {
   choices.new_parameters = true;
   MappedMesh mapped;
   try {
-    mapped = map_mesh(*mesh, choices, control);
+    mapped = map_mesh(*mesh, choices, control, arguments.newton);
   } catch (const InvalidInput& e) {
     throw InvalidInput(arguments.input + ": " + e.what());
   }
   mapped.mesh.uv = mapped.map->uv;
   for (const OutputFile& file : files) {
-    if (file.kind == OutputKind::table)
+    if (file.kind == OutputKind::picture)
+      write_text_file(file.path, arguments.output.force, picture_of(mapped, arguments, file.extension));
+    else if (file.kind == OutputKind::table)
       write_text_file(file.path, arguments.output.force, vertices_csv(mapped.mesh));
     else
       write_mesh_file(file, arguments.output.force, mapped.mesh);

@@ -32,6 +32,7 @@ inline constexpr Named<CadUnit> kUnits[] = {
     {CadUnit::millimetre, "mm"}, {CadUnit::metre, "m"}, {CadUnit::inch, "inch"}};
 inline constexpr Named<CadFormat> kSchemas[] = {{CadFormat::step_ap214, "ap214"},
                                                 {CadFormat::step_ap242, "ap242"}};
+inline constexpr Named<bool> kMaps[] = {{true, "newton"}, {false, "mean-value"}};
 inline constexpr Named<bool> kSwitch[] = {{true, "on"}, {false, "off"}};
 
 // Every function below throws InvalidInput that quotes the text and says what is wanted.

@@ -52,7 +52,7 @@ struct MeshMap {
   CornerRule rule = CornerRule::sharpest;  ///< rule that found the corners; as asked where they were given
   /// RMS over the diagonal of a 20 x 20 uniform bicubic fit to the vertices at these parameters (fewer
   /// control points where there are not two vertices for each): at the parameters, and from the vertices
-  /// to the surface. The least distance chooses omega and the corners.
+  /// to the surface. The least distance^(3/4) error^(1/4) chooses omega and the corners.
   double trial_error = 0, trial_distance = 0;
   bool stopped = false;  ///< cut short by stop or time: a sound map, not the best
 };
@@ -66,6 +66,14 @@ MeshMap parameterize_mesh(const Mesh& mesh, const MeshMapOptions& options = {}, 
 /// Quality of any map of the mesh, on its own triangles.
 /// \throws InvalidInput  uv is not 2 numbers a vertex, or not finite; no faces
 MapQuality measure_map(const Mesh& mesh, const std::vector<double>& uv);
+
+/// Stretch of each face on the best rectangle of `aspect` (MapQuality): the root of the mean square of how
+/// many times longer lengths are on the mesh than in the rectangle, over what an even map has. 1 where the
+/// map is isometric up to one scale, above 1 where few parameters cover much surface; their mean square by
+/// area is the square of the aspect-free stretch. NaN: virtual, flipped or flat.
+/// \return a face each
+/// \throws InvalidInput  as measure_map
+std::vector<double> face_stretches(const Mesh& mesh, const std::vector<double>& uv, double aspect);
 
 /// The mesh with these edges halved: vertex n + k is the middle of edge k, at parameters halved_uv[k].
 /// \throws InvalidInput  no face has such an edge

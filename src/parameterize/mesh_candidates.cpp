@@ -63,11 +63,11 @@ class Candidate {
     newton_->release();
     consider(newton_->square_parameters());
   }
-  /// Flipped triangles first, then those of the mesh without its edges halved, then the distance.
+  /// Flipped triangles first, then those of the mesh without its edges halved, then the fit.
   bool better_than(const Candidate& other) const {
     if (flipped_ != other.flipped_) return flipped_ < other.flipped_;
     if (own_flipped_ != other.own_flipped_) return own_flipped_ < other.own_flipped_;
-    return fit_.distance < other.fit_.distance;
+    return fit_.merit() < other.fit_.merit();
   }
   int rounds() const { return newton_ ? newton_->rounds() : 0; }
   ChosenMap result() const { return {uv_, corners_, metric_.omega, rule_, fit_}; }

@@ -32,7 +32,7 @@ struct ChosenMap {
 };
 
 /// Every choice for a few rounds of Newton, the better ones for more, the best two to the end; the
-/// least distance of a trial fit wins. Independent of the number of threads.
+/// least merit of a trial fit wins. Independent of the number of threads.
 ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Watch& watch);
 
 }  // namespace knotfit::mesh_map

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "knotfit/errors.h"
@@ -43,7 +44,9 @@ MapQuality measure_quality(const DiskMesh& disk, std::span<const double> uv) {
 
 }  // namespace mesh_map
 
-MapQuality measure_map(const Mesh& mesh, const std::vector<double>& uv) {
+namespace {
+
+void check_map(const Mesh& mesh, const std::vector<double>& uv) {
   if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
     throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
                                    mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
@@ -51,7 +54,37 @@ MapQuality measure_map(const Mesh& mesh, const std::vector<double>& uv) {
   for (std::size_t k = 0; k < uv.size(); ++k)
     if (!std::isfinite(uv[k]))
       throw InvalidInput(fmt::format("vertex {}: {} = {} is not finite", k / 2, k % 2 ? 'v' : 'u', uv[k]));
+}
+
+}  // namespace
+
+MapQuality measure_map(const Mesh& mesh, const std::vector<double>& uv) {
+  check_map(mesh, uv);
   return mesh_map::measure_quality(mesh_map::faces_alone(mesh), uv);
+}
+
+std::vector<double> face_stretches(const Mesh& mesh, const std::vector<double>& uv, double aspect) {
+  check_map(mesh, uv);
+  if (!(aspect > 0) || !std::isfinite(aspect))
+    throw InvalidInput(fmt::format("a rectangle of width over height {}: it must be positive", aspect));
+  using namespace mesh_map;
+  const DiskMesh disk = faces_alone(mesh);
+  const std::vector<RestTriangle> rest = rest_triangles(disk, 0);
+  std::vector<double> stretch(mesh.faces.size(), std::numeric_limits<double>::quiet_NaN());
+  double area = 0, plane = 0;
+  for (int f = 0; f < disk.face_count(); ++f) {
+    const Jacobian j = jacobian(rest[f], disk.face[f], uv.data());
+    const double d = j.determinant();
+    if (!(d > 0)) continue;
+    plane += d * rest[f].area;
+    if (disk.virtual_face[f]) continue;
+    area += rest[f].area;
+    // |I e_u|^2 / aspect and |I e_v|^2 aspect of the inverse I of J, their mean.
+    stretch[f] =
+        0.5 * ((j.yv * j.yv + j.yu * j.yu) / aspect + (j.xv * j.xv + j.xu * j.xu) * aspect) / (d * d);
+  }
+  for (double& s : stretch) s = std::sqrt(s * plane / area);
+  return stretch;
 }
 
 }  // namespace knotfit

@@ -1,5 +1,6 @@
 // How well a plain fit does at the parameters of a map: what omega and the corners are chosen by.
 #pragma once
+#include <cmath>
 #include <span>
 
 #include "parameterize/mesh_disk.h"
@@ -9,6 +10,10 @@ namespace knotfit::mesh_map {
 struct TrialFit {
   double error = 0;     ///< |S(u_k, v_k) - P_k|, at the map's parameters
   double distance = 0;  ///< from P_k to the surface, by foot points from those parameters
+  /// Merit of a map, the less the better: what correction of the parameters starts from is the distance, what
+  /// a fit at these parameters has is the error. Weights 3 : 1 of their logarithms: on the mask 4 % of
+  /// distance would otherwise be bought with 40 % of error.
+  double merit() const { return std::pow(distance, 0.75) * std::pow(error, 0.25); }
 };
 
 /// A bicubic fit of 20 x 20 control points on uniform knots to the mesh's own vertices (fewer control

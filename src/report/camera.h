@@ -1,5 +1,9 @@
 // Where the surface is seen from, and where its points fall on the page.
 #pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "report/surface_samples.h"
 #include "report/vectors.h"
 namespace knotfit::report {
@@ -26,12 +30,23 @@ struct Camera {
 /// Looks along -toward; `upright` points up on the page as far as it can.
 Camera look_from(const Vec3& toward, const Vec3& upright);
 
+/// What a view is chosen by: points of the scene, each standing for a part of the surface.
+struct ViewScene {
+  std::vector<Vec3> position, normal;  ///< unit normals, zero where there is none
+  std::vector<double> area;            ///< that a point stands for; 0: not drawn
+  std::vector<char> rim;               ///< 1: on the border
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  Vec3 low, high;  ///< of what is drawn
+};
+
 /// Share of the surface's area that the camera sees.
 double visible_share(const SurfaceSamples& samples, const Camera& camera);
+double visible_share(const ViewScene& scene, const Camera& camera);
 
 /// Height fields: from the south-west, 35 to 45 degrees up, the lowest view that hides little.
 /// Others: tilted off the mean normal (or the thinnest principal axis, where the normals cancel)
 /// on the side that bulges, the direction that hides least.
 Camera choose_view(const SurfaceSamples& samples);
+Camera choose_view(const ViewScene& scene);
 
 }  // namespace knotfit::report

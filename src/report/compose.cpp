@@ -7,8 +7,6 @@
 #include "report/parameter_plane.h"
 #include "report/surface_view.h"
 namespace knotfit::report {
-namespace {
-
 void draw_heading(Canvas& canvas, const Box& box, const std::string& heading, const std::string& remark,
                   double em) {
   const double size = 0.95 * em, quiet = 0.8 * em, gap = 0.9 * em;
@@ -19,8 +17,6 @@ void draw_heading(Canvas& canvas, const Box& box, const std::string& heading, co
   canvas.text({box.x + used, box.y + em}, canvas.shortened(remark, box.width - used, quiet),
               {.size = quiet, .paint = {kQuiet}});
 }
-
-}  // namespace
 
 void draw(Canvas& canvas, const Content& content) {
   const PictureInput& input = *content.input;

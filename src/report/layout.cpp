@@ -8,11 +8,6 @@
 namespace knotfit::report {
 namespace {
 
-// Text grows more slowly than the page: small pictures stay legible, large ones do not shout.
-double body_size(double width, double height) {
-  return std::max(7.0, 17 * std::sqrt(std::min(width / 1600, height / 900)));
-}
-
 // Arranges the panels and the legend in a box; sizes in em where not said otherwise.
 class Arrangement {
  public:
@@ -123,12 +118,20 @@ class Arrangement {
 
 }  // namespace
 
+double body_size(double width, double height) {
+  return std::max(7.0, 17 * std::sqrt(std::min(width / 1600, height / 900)));
+}
+
+bool full_page(double width, double height, double em) {
+  return height > 1.2 * width ? width >= 34 * em : width >= 50 * em && height >= 30 * em;
+}
+
 Layout lay_out(const Canvas& canvas, const Content& content) {
   Layout l;
   const double width = canvas.width(), height = canvas.height();
   const double em = l.em = body_size(width, height), margin = 1.7 * em;
   const double inside = width - 2 * margin;
-  l.full = height > 1.2 * width ? width >= 34 * em : width >= 50 * em && height >= 30 * em;
+  l.full = full_page(width, height, em);
 
   double top = (l.full ? 1.4 : 0.8) * em, bottom = height - (l.full ? 1.2 : 0.8) * em;
   if (!content.input->title.empty()) {

@@ -12,6 +12,12 @@ struct Layout {
   Box title, subtitle_box, surface_heading, surface, plane_heading, plane, legend, facts;
 };
 
+/// Size of body text: it grows more slowly than the page, so that small pictures stay legible and large
+/// ones do not shout.
+double body_size(double width, double height);
+/// Whether a page has room for more than one drawing.
+bool full_page(double width, double height, double em);
+
 Layout lay_out(const Canvas& canvas, const Content& content);
 
 }  // namespace knotfit::report

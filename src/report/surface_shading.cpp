@@ -3,23 +3,22 @@
 #include <array>
 #include <cmath>
 
-#include "base/parallel.h"
+#include "report/pixels.h"
 namespace knotfit::report {
 namespace {
-
-// A soft key light from the upper left, wrapped around the form, and a weak sky.
-double brightness(const Vec3& n, const Camera& camera) {
-  const Vec3 key = unit_or(-0.62 * camera.right + 0.55 * camera.up + 0.56 * camera.toward, camera.toward);
-  const double wrapped = std::max(0.0, (dot(n, key) + 0.25) / 1.25);
-  const double sky = 0.5 + 0.5 * dot(n, camera.up);
-  return std::min(1.06, 0.50 + 0.49 * wrapped + 0.09 * sky);
-}
 
 bool in_stripe(double along, double stripe, double share) {
   return along - std::floor(along / stripe) * stripe < share * stripe;
 }
 
 }  // namespace
+
+double brightness(const Vec3& n, const Camera& camera) {
+  const Vec3 key = unit_or(-0.62 * camera.right + 0.55 * camera.up + 0.56 * camera.toward, camera.toward);
+  const double wrapped = std::max(0.0, (dot(n, key) + 0.25) / 1.25);
+  const double sky = 0.5 + 0.5 * dot(n, camera.up);
+  return std::min(1.06, 0.50 + 0.49 * wrapped + 0.09 * sky);
+}
 
 SurfaceMesh make_mesh(const SurfaceSamples& s, double base) {
   SurfaceMesh mesh;
@@ -60,8 +59,6 @@ Image shade(const Content& content, const SurfaceMesh& mesh, const ZBuffer& buff
             const std::vector<ScreenPoint>& corners, const Camera& camera, int finer, double stripe) {
   const SurfaceSamples& s = content.samples;
   const Index nv = s.size_v();
-  Image image(buffer.width() / finer, buffer.height() / finer);
-
   auto pixel = [&](int x, int y) -> std::optional<Rgb> {
     const std::int32_t id = buffer.triangle(x, y);
     if (id < 0) return std::nullopt;
@@ -98,22 +95,7 @@ Image shade(const Content& content, const SurfaceMesh& mesh, const ZBuffer& buff
     return Rgb{std::min(1.0, colour.r * b), std::min(1.0, colour.g * b), std::min(1.0, colour.b * b)};
   };
 
-  parallel_for(image.height, [&](Index row) {
-    for (int column = 0; column < image.width; ++column) {
-      Rgb sum;
-      int hits = 0;
-      for (int dy = 0; dy < finer; ++dy)
-        for (int dx = 0; dx < finer; ++dx)
-          if (const auto c = pixel(column * finer + dx, static_cast<int>(row) * finer + dy)) {
-            sum = {sum.r + c->r, sum.g + c->g, sum.b + c->b};
-            ++hits;
-          }
-      if (hits > 0)
-        image.at(column, static_cast<int>(row)) = premultiplied({sum.r / hits, sum.g / hits, sum.b / hits},
-                                                                static_cast<double>(hits) / (finer * finer));
-    }
-  });
-  return image;
+  return averaged_pixels(buffer.width() / finer, buffer.height() / finer, finer, pixel);
 }
 
 }  // namespace knotfit::report

@@ -17,6 +17,10 @@ struct SurfaceMesh {
 /// \param base  height of the base in the scene; walls only for height fields
 SurfaceMesh make_mesh(const SurfaceSamples& samples, double base);
 
+/// Light on a surface of unit normal n turned to the camera: a soft key light from the upper left and a weak
+/// sky; a factor of its colour.
+double brightness(const Vec3& n, const Camera& camera);
+
 /// \param corners  the mesh's positions in pixels of `buffer`
 /// \param camera   light and facing follow it
 /// \param finer    pixels of `buffer` a pixel of the image, averaged

@@ -4,41 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 #include "knotfit/evaluate.h"
-#include "report/hidden_lines.h"
 #include "report/number_text.h"
+#include "report/panel_view.h"
 #include "report/surface_shading.h"
 #include "report/view_axes.h"
 namespace knotfit::report {
 namespace {
-
-constexpr double kMostSamples = 24e6;  // depth samples of a picture, whatever its size
-
-// Moves and zooms the camera so that all points fall into the box.
-void fit_into(Camera& camera, const std::vector<Vec3>& points, const Box& box) {
-  camera.zoom = 1;
-  camera.origin = {};
-  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
-  for (const Vec3& p : points) {
-    const ScreenPoint s = camera.project(p);
-    x0 = std::min(x0, s.x);
-    x1 = std::max(x1, s.x);
-    y0 = std::min(y0, s.y);
-    y1 = std::max(y1, s.y);
-  }
-  const double width = std::max(x1 - x0, 1e-9), height = std::max(y1 - y0, 1e-9);
-  camera.zoom = std::min({box.width / width, box.height / height, std::max(box.width, box.height)});
-  camera.origin = {box.centre().x - camera.zoom * (x0 + x1) / 2,
-                   box.centre().y - camera.zoom * (y0 + y1) / 2};
-}
-
-// Lines get thinner and fainter where they come close to each other.
-double crowding(double panel_size, std::size_t lines) {
-  return std::clamp(panel_size / (18.0 * static_cast<double>(std::max<std::size_t>(lines, 1))), 0.3, 1.0);
-}
 
 void draw_knot_lines(Canvas& canvas, const Viewport& view, const SurfaceSamples& s, double size, double em) {
   const double unit = em / 17;
@@ -69,28 +42,6 @@ void draw_knot_lines(Canvas& canvas, const Viewport& view, const SurfaceSamples&
   }
 }
 
-// Middle of the corner of the panel that the surface covers least, the lower left first.
-Vec2 emptiest_corner(const Viewport& view, const Box& panel, double half) {
-  Vec2 best;
-  int least = std::numeric_limits<int>::max();
-  for (const Vec2 at :
-       {Vec2{panel.x + half, panel.bottom() - half}, Vec2{panel.right() - half, panel.bottom() - half},
-        Vec2{panel.x + half, panel.y + half}, Vec2{panel.right() - half, panel.y + half}}) {
-    int covered = 0;
-    for (int i = -8; i <= 8; ++i)
-      for (int j = -8; j <= 8; ++j) {
-        const int x = static_cast<int>((at.x + i * half / 8 - view.corner.x) * view.pixels);
-        const int y = static_cast<int>((at.y + j * half / 8 - view.corner.y) * view.pixels);
-        const bool inside = x >= 0 && y >= 0 && x < view.buffer.width() && y < view.buffer.height();
-        covered += inside && view.buffer.triangle(x, y) >= 0;
-      }
-    if (covered >= least) continue;
-    least = covered;
-    best = at;
-  }
-  return best;
-}
-
 std::string caption(const SurfaceSamples& s) {
   std::string out;
   if (!s.height_field) {
@@ -117,7 +68,6 @@ std::string caption(const SurfaceSamples& s) {
 std::string draw_surface_view(Canvas& canvas, const Content& content, const Box& panel, double em,
                               bool axes) {
   const SurfaceSamples& s = content.samples;
-  Camera camera = choose_view(s);
   const double base = s.scene_low().z - 0.07;
   const SurfaceMesh mesh = make_mesh(s, base);
 
@@ -134,32 +84,18 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
     for (std::int32_t k : t) drawn.push_back(mesh.position[k]);
   if (drawn.empty()) drawn = mesh.position;
   if (framed) drawn.push_back({s.scene_low().x, s.scene_high().y, s.scene_high().z});  // axis of heights
-  fit_into(camera, drawn, inner);
-
-  int finer = 2;
-  double resolution = canvas.resolution();
-  if (panel.width * panel.height * resolution * resolution * 4 > kMostSamples) finer = 1;
-  resolution = std::min(resolution, std::sqrt(kMostSamples / (finer * finer * panel.width * panel.height)));
-  const int width = std::max(1, static_cast<int>(std::ceil(panel.width * resolution)));
-  const int height = std::max(1, static_cast<int>(std::ceil(panel.height * resolution)));
-  const double pixels = resolution * finer;  // a page unit
-  std::vector<ScreenPoint> corners(mesh.position.size());
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    ScreenPoint p = camera.project(mesh.position[k]);
-    corners[k] = {(p.x - panel.x) * pixels, (p.y - panel.y) * pixels, p.nearness};
-  }
-  const ZBuffer buffer(width * finer, height * finer, corners, mesh.triangles);
+  const PanelView view(canvas, choose_view(s), panel, inner, mesh.position, mesh.triangles, drawn);
+  const Camera& camera = view.camera();
 
   if (framed) draw_back_frame(canvas, s, camera, base, em);
-  const Image image = shade(content, mesh, buffer, corners, camera, finer, 0.42 * em * pixels);
-  canvas.image({panel.x, panel.y, width / resolution, height / resolution}, image);
-
-  const Viewport view{camera, buffer, {panel.x, panel.y}, pixels};
-  draw_knot_lines(canvas, view, s, std::min(panel.width, panel.height), em);
+  const Image image =
+      shade(content, mesh, view.buffer(), view.corners(), camera, view.finer(), 0.42 * em * view.pixels());
+  canvas.image(view.image_box(), image);
+  draw_knot_lines(canvas, view.viewport(), s, std::min(panel.width, panel.height), em);
   if (framed)
     draw_frame(canvas, s, camera, base, em, content.input->unit);
   else if (axes)
-    draw_triad(canvas, camera, emptiest_corner(view, panel, 2.6 * em), em);
+    draw_triad(canvas, camera, view.emptiest_corner(2.6 * em), em);
 
   if (content.worst >= 0 && content.max > 0) {
     const double u = std::clamp(content.points().u(content.worst), content.domain.u0, content.domain.u1);
@@ -171,7 +107,7 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
                                              : Vec3{p[0], p[1], p[2]};
     const ScreenPoint q = camera.project(s.to_scene(at));
     const bool in_panel = q.x > panel.x && q.x < panel.right() && q.y > panel.y && q.y < panel.bottom();
-    if (in_panel && view.visible(q)) draw_worst_mark(canvas, {q.x, q.y}, em);
+    if (in_panel && view.viewport().visible(q)) draw_worst_mark(canvas, {q.x, q.y}, em);
   }
   return caption(s);
 }

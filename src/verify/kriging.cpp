@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 namespace knotfit::verify {
 namespace {
 
@@ -18,6 +19,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Pivots of the QR below this share of the largest: polynomials that the points cannot tell apart.
 // Monomials on 80 points of a half disk (a border) keep 1e-3; rows off their lines by 1e-6 lose 1e-9.
 constexpr double kRank = 1e-6;
+// Pivots of G below this share of its trace, 2^8 roundings: rounding makes up what it holds.
+constexpr double kLeastPivot = 256 * kEpsilon;
 // Weights in one stencil are held this near to each other, so that rows scaled by them stay comparable.
 constexpr double kWeightRatio = 1e4;
 // The nugget's grid: half decades of the kernel matrix's norm [METHOD 4].
@@ -49,8 +52,12 @@ struct Kriging::Work {
   VectorXd alpha;              // Q_1^T a, a the least-norm weights that reproduce the polynomials at 0
   VectorXd right;              // c = Q_2^T (b - K a)
   double a_kernel = 0;         // a^T K a - 2 a^T b
+  // What predict() leaves for surprise().
+  MatrixXd factor, whitened;  // L and L^-1 of the projected values; no noise
+  double sigma2 = 0, nugget = 0;
   // Tridiagonal form of G, computed where noise is asked for.
   bool tridiagonal = false;
+  std::optional<Eigen::Tridiagonalization<MatrixXd>> form;
   VectorXd diagonal, off;
   MatrixXd rotated;  // projected values in its basis
   VectorXd rotated_right;
@@ -66,8 +73,8 @@ struct Kriging::Work {
   void make_tridiagonal();
   double norm() const;
   double profile(double noise, double& nugget_variance) const;
-  double solve_tridiagonal(double nugget, std::span<double> value) const;
-  double finish(double squares, double right_squares, double nugget, std::span<double> value) const;
+  double solve_tridiagonal(const VectorXd& from, Eigen::Ref<VectorXd> products, double& least) const;
+  double finish(double right_squares, double rounding, std::span<double> value) const;
 };
 
 Kriging::Kriging() : work_(std::make_unique<Work>()) {}
@@ -183,15 +190,15 @@ int Kriging::set(const Stencil& stencil, int degree) {
   return degree;
 }
 
-// e and the last part of the value, from the squares |L^-1 y|^2 and |L^-1 c|^2.
-double Kriging::Work::finish(double squares, double right_squares, double nugget,
-                             std::span<double> value) const {
+// e and the last part of the value, from the square |L^-1 c|^2 and its rounding (as a share of it).
+double Kriging::Work::finish(double right_squares, double rounding, std::span<double> value) const {
   for (std::size_t d = 0; d < value.size(); ++d)
     value[d] += alpha.dot(turned.col(static_cast<Index>(d)).head(q));
   const double start = a_kernel + nugget * alpha.squaredNorm();
-  // The variance is what the stencil leaves of its start: never below the rounding of that difference.
-  const double variance = std::max(start - right_squares, 4 * kEpsilon * std::abs(start));
-  const double e = std::sqrt(std::max(0.0, squares) * variance);
+  // The variance is what the stencil leaves of its start: never below the rounding of that difference, which
+  // grows as the points crowd (on a mesh map it was 1e-3 of the start, and e a thousandth of the error).
+  const double variance = std::max(start - right_squares, std::max(rounding, 4 * kEpsilon) * std::abs(start));
+  const double e = std::sqrt(std::max(0.0, sigma2) * variance);
   return std::isfinite(e) ? e : kInfinity;
 }
 
@@ -201,27 +208,64 @@ double Kriging::predict(double noise, std::span<double> value) {
   noise *= w.noise_unit;
   if (noise > 0) {
     w.make_tridiagonal();
-    double nugget = 0;
-    w.profile(noise, nugget);
-    const double right_squares = w.solve_tridiagonal(nugget, value);
-    const double sigma2 = static_cast<double>(w.values.cols()) * noise * noise / nugget;
-    return w.finish(sigma2, right_squares, nugget, value);
+    w.profile(noise, w.nugget);
+    w.sigma2 = static_cast<double>(w.values.cols()) * noise * noise / w.nugget;
+    VectorXd products(w.values.cols());
+    double least = 0;
+    const double right_squares = w.solve_tridiagonal(w.rotated_right, products, least);
+    std::copy_n(products.data(), products.size(), value.begin());
+    return w.finish(right_squares, kEpsilon * w.norm() / least, value);
   }
   // Points that nearly coincide leave eigenvalues below rounding: a nugget of that size keeps the
   // factor alive and moves nothing that the data could tell.
   const double trace = w.projected.trace();
+  w.nugget = 0;
   for (double jitter = 0; jitter < 1e-9; jitter = jitter == 0 ? kEpsilon : 16 * jitter) {
-    MatrixXd g = w.projected;
-    g.diagonal().array() += jitter * trace;
-    const Eigen::LLT<Eigen::Ref<MatrixXd>, Lower> factor(g);
+    w.factor = w.projected;
+    w.factor.diagonal().array() += jitter * trace;
+    const Eigen::LLT<Eigen::Ref<MatrixXd>, Lower> factor(w.factor);
     if (factor.info() != Eigen::Success) continue;
+    const double least = w.factor.diagonal().cwiseAbs2().minCoeff() / trace;
+    if (least < kLeastPivot) continue;
     const VectorXd c = factor.matrixL().solve(w.right);
-    const MatrixXd y = factor.matrixL().solve(w.turned.bottomRows(m));
-    for (Index d = 0; d < y.cols(); ++d) value[d] = c.dot(y.col(d));
-    return w.finish(y.squaredNorm() / static_cast<double>(m), c.squaredNorm(), 0, value);
+    w.whitened = factor.matrixL().solve(w.turned.bottomRows(m));
+    for (Index d = 0; d < w.whitened.cols(); ++d) value[d] = c.dot(w.whitened.col(d));
+    w.sigma2 = w.whitened.squaredNorm() / static_cast<double>(m);
+    return w.finish(c.squaredNorm(), kEpsilon / least, value);
   }
+  w.sigma2 = 0;
   std::ranges::fill(value, std::numeric_limits<double>::quiet_NaN());
   return kInfinity;
+}
+
+// Point i left out is off by W_i / B_ii, with the error bar sigma / sqrt(B_ii), B = Q_2 (G + g I)^-1 Q_2^T
+// [Dubrule83]: their ratio needs row i of B and B Z alone.
+double Kriging::surprise(Index nearest) {
+  const Work& w = *work_;
+  nearest = std::min(nearest, w.k);
+  if (!(w.sigma2 > 0) || nearest <= 0) return 0;
+  const Index m = w.k - w.q;
+  MatrixXd units = MatrixXd::Zero(w.k, nearest);
+  units.diagonal().setOnes();
+  w.apply_q_transposed(units);
+  MatrixXd rows = units.bottomRows(m);
+  double most = 0;
+  if (w.nugget > 0) {
+    rows.applyOnTheLeft(w.form->matrixQ().adjoint());
+    VectorXd products(w.rotated.cols());
+    double least = 0;
+    for (Index i = 0; i < nearest; ++i) {
+      const double own = w.solve_tridiagonal(rows.col(i), products, least);
+      most = std::max(most, products.squaredNorm() / own);
+    }
+  } else {
+    w.factor.triangularView<Lower>().solveInPlace(rows);
+    const MatrixXd products = w.whitened.transpose() * rows;
+    for (Index i = 0; i < nearest; ++i)
+      most = std::max(most, products.col(i).squaredNorm() / rows.col(i).squaredNorm());
+  }
+  const double ratio = std::sqrt(most / w.sigma2);
+  return std::isfinite(ratio) ? ratio : kInfinity;
 }
 
 double Kriging::likely_noise() {
@@ -233,13 +277,13 @@ double Kriging::likely_noise() {
 void Kriging::Work::make_tridiagonal() {
   if (tridiagonal) return;
   const Index m = k - q;
-  const Eigen::Tridiagonalization<MatrixXd> form(projected);
-  diagonal = form.diagonal();
-  off = form.subDiagonal();
+  form.emplace(projected);
+  diagonal = form->diagonal();
+  off = form->subDiagonal();
   MatrixXd both(m, turned.cols() + 1);
   both.leftCols(turned.cols()) = turned.bottomRows(m);
   both.rightCols(1) = right;
-  both.applyOnTheLeft(form.matrixQ().adjoint());
+  both.applyOnTheLeft(form->matrixQ().adjoint());
   rotated = both.leftCols(turned.cols());
   rotated_right = both.rightCols(1);
   tridiagonal = true;
@@ -258,12 +302,12 @@ double Kriging::Work::norm() const {
 //   -2 log L = K log s^2 + d log det(G + t I) + y^T (G + t I)^-1 y / s^2,   K = d (k - q),
 // from pivots of the tridiagonal G + t I. noise > 0 fixes s^2 = noise^2 / t, else s^2 is its most likely.
 // Returns the standard deviation sqrt(t s^2) of the noise at the least.
-double Kriging::Work::profile(double noise, double& nugget) const {
+double Kriging::Work::profile(double noise, double& most_likely) const {
   using Grid = Eigen::Array<double, kNuggets, 1>;
   const double top = norm();
   const Index m = diagonal.size(), components = rotated.cols();
   const double count = static_cast<double>(m * components);
-  nugget = top;
+  most_likely = top;
   if (!(top > 0)) return 0;
   Grid t, pivot, logs = Grid::Zero(), product = Grid::Ones(), squares = Grid::Zero();
   for (int i = 0; i < kNuggets; ++i) t[i] = std::pow(10, kFirstNugget + kNuggetStep * i);
@@ -289,25 +333,29 @@ double Kriging::Work::profile(double noise, double& nugget) const {
         count * std::log(variance) + static_cast<double>(components) * logs[i] + squares[i] / variance;
     // The least nugget there is means that none was found.
     if (likelihood < best)
-      best = likelihood, nugget = t[i] * top, found = i == 0 ? 0 : std::sqrt(t[i] * variance);
+      best = likelihood, most_likely = t[i] * top, found = i == 0 ? 0 : std::sqrt(t[i] * variance);
   }
   return found;
 }
 
-// value_d = c^T (G + nugget I)^-1 y_d; returns c^T (G + nugget I)^-1 c.
-double Kriging::Work::solve_tridiagonal(double nugget, std::span<double> value) const {
-  const double least = kEpsilon / 4 * norm();
+// products_d = c^T (G + nugget I)^-1 y_d for a vector c of the tridiagonal basis; returns
+// c^T (G + nugget I)^-1 c and the least pivot.
+double Kriging::Work::solve_tridiagonal(const VectorXd& from, Eigen::Ref<VectorXd> products,
+                                        double& least) const {
+  const double floor = kEpsilon / 4 * norm();
   double pivot = 0, c = 0, squares = 0;
   VectorXd z = VectorXd::Zero(rotated.cols());
-  std::ranges::fill(value, 0);
+  products.setZero();
+  least = kInfinity;
   for (Index i = 0; i < diagonal.size(); ++i) {
     const double ratio = i > 0 ? off[i - 1] / pivot : 0;
-    pivot = std::max(diagonal[i] + nugget - (i > 0 ? off[i - 1] * ratio : 0), least);
-    c = rotated_right[i] - ratio * c;
+    pivot = std::max(diagonal[i] + nugget - (i > 0 ? off[i - 1] * ratio : 0), floor);
+    least = std::min(least, pivot);
+    c = from[i] - ratio * c;
     squares += c * c / pivot;
     for (Index d = 0; d < z.size(); ++d) {
       z[d] = rotated(i, d) - ratio * z[d];
-      value[d] += c * z[d] / pivot;
+      products[d] += c * z[d] / pivot;
     }
   }
   return squares;

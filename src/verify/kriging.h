@@ -39,6 +39,11 @@ class Kriging {
   /// \return the error bar e >= 0, infinity where the system cannot be solved
   double predict(double noise, std::span<double> value);
 
+  /// How the process fares at the points themselves: the largest error of those predicted from all others, each
+  /// over its own error bar, of the first `nearest` points; about 2 where the bars are right. Well above where
+  /// the data is rougher about the place than elsewhere in the stencil, as at a crease. After predict().
+  double surprise(Index nearest);
+
   /// Standard deviation of the noise that is most likely for these values (restricted likelihood).
   double likely_noise();
 

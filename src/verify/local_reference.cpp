@@ -7,6 +7,12 @@
 namespace knotfit::verify {
 namespace {
 
+// Of the nearest points, predicted from all others: more than two of their own error bars off, and the bar at
+// the place is raised by as much. On the map of a scanned face errors of more than 3 e fell from 104 to 37 of
+// 2400 places, for 4 % of them less that are promised.
+constexpr Index kWitnesses = 10;
+constexpr double kUsualSurprise = 2;
+
 // Smaller stencils for little data, each about as rich for its degree as the full one.
 constexpr StencilShape kShapes[] = {{4, 80}, {3, 60}, {2, 40}, {1, 30}};
 
@@ -72,6 +78,8 @@ ReferenceValue reference_value(StencilGatherer& gatherer, double x, double y, do
   const double unit = scale > 0 ? scale : noise;
   std::vector<double> step(centre.size());
   result.error_bar = unit * gatherer.kriging().predict(noise / unit, step);
+  if (std::isfinite(result.error_bar))
+    result.error_bar *= std::max(1.0, gatherer.kriging().surprise(kWitnesses) / kUsualSurprise);
   for (std::size_t c = 0; c < step.size(); ++c) result.value[c] += unit * step[c];
   return result;
 }

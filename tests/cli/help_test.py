@@ -50,7 +50,7 @@ class Help(ToolTest):
         wanted = "--at --points --grid --derivatives --derivative --normals --curvature --clamp --json --output".split()
         self.assertLessEqual(set(wanted), options_of(self.help("eval")))
         self.assertLessEqual({"--cell", "--grid", "--samples", "--output", "--force"}, options_of(self.help("convert")))
-        wanted = ("--largest-part --fill-holes --orient --drop-degenerate --corners --omega --output --json").split()
+        wanted = ("--largest-part --fill-holes --orient --drop-degenerate --corners --omega --map --lines --output --json").split()
         self.assertLessEqual(set(wanted), options_of(self.help("parameterize")))
 
     def test_methods_of_the_help_are_those_of_the_table(self):

@@ -115,9 +115,29 @@ class Parameterize(MeshTest):
         self.write_points()
         self.refused("parameterize", "points.csv", words=["points.csv: holds no mesh"])
         self.write_sheet()
-        for name in ("a.json", "a.vts", "a.png"):
+        for name in ("a.json", "a.vts", "a.asc"):
             self.refused("parameterize", "sheet.obj", "-o", name, words=[name, ".csv, .obj or .ply"])
         self.assertEqual(self.files(), ["points.csv", "sheet.obj"])
+
+
+    def test_draws_its_lines_on_the_mesh(self):
+        self.write_sheet()
+        report = self.run_json("parameterize", "sheet.obj", "-o", "a.png", "-o", "a.svg", "-o", "a.pdf", "--lines", "8")
+        self.assertEqual(report["outputs"], ["a.png", "a.svg", "a.pdf"])
+        self.assertEqual((self.folder / "a.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertIn("sheet.obj", (self.folder / "a.svg").read_text())
+        self.assertEqual((self.folder / "a.pdf").read_bytes()[:4], b"%PDF")
+        for lines in ("0", "201", "many"):
+            self.refused("parameterize", "sheet.obj", "-o", "b.png", "--lines", lines, words=["--lines", lines])
+        self.refused("parameterize", "sheet.obj", "-o", "a.png", words=["a.png", "--force"])
+
+    def test_by_mean_values_alone(self):
+        self.write_sheet()
+        least = self.run_json("parameterize", "sheet.obj", "--omega", "0", "--corners", "sharpest")
+        start = self.run_json("parameterize", "sheet.obj", "--omega", "0", "--corners", "sharpest", "--map", "mean-value")
+        self.assertLess(least["map"]["stretch"], start["map"]["stretch"])
+        self.assertEqual(start["map"]["flipped"], 0)
+        self.refused("parameterize", "sheet.obj", "--map", "best", words=["--map", "best", "newton"])
 
 
 class Fit(MeshTest):

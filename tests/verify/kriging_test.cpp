@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <vector>
 
 #include "support/synthetic.h"
@@ -291,6 +293,80 @@ TEST(Kriging, OfAllEqualWeightsIsTheSameAsOfNone) {
   const double other = kriging.predict(0, weighted);
   EXPECT_NEAR(weighted[0], value[0], 1e-6 * e + 1e-12);
   EXPECT_NEAR(other, e, 1e-4 * e);
+}
+
+// Row i of the whole inverse by its definition: the stencil without its point i, at that point.
+TEST(Kriging, SurpriseIsTheWorstPointLeftOut) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> in(-1, 1);
+  for (const double noise : {0.0, 0.05}) {
+    const Index k = 50, nearest = 6;
+    std::vector<double> x, y, z;
+    for (Index i = 0; i < k; ++i) {
+      x.push_back(in(random)), y.push_back(in(random));
+      z.push_back(std::sin(3 * x.back()) * y.back() + (i == 2 ? 0.3 : 0));
+    }
+    Kriging all;
+    ASSERT_EQ(all.set({x, y, z, {}, 1}, 2), 2);
+    double value = 0;
+    all.predict(noise, {&value, 1});
+    const double surprise = all.surprise(nearest);
+    // sigma^2 and the nugget of the whole stencil, on systems with a row less.
+    const int q = 6;
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(k + q, k + q);
+    for (Index i = 0; i < k; ++i) {
+      for (Index j = 0; j < k; ++j) system(i, j) = -std::pow(std::hypot(x[i] - x[j], y[i] - y[j]), 5);
+      const double p[q] = {1, x[i], y[i], x[i] * x[i], x[i] * y[i], y[i] * y[i]};
+      for (int c = 0; c < q; ++c) system(i, k + c) = system(k + c, i) = p[c];
+    }
+    double best = std::numeric_limits<double>::infinity(), worst = 0;
+    for (int step = 0; step < (noise > 0 ? 4000 : 1); ++step) {
+      // The nugget the object took is one of its grid: the one for which the surprises agree best.
+      const double nugget = noise > 0 ? std::pow(10, -8 + 0.0025 * step) : 0;
+      Eigen::MatrixXd a = system;
+      a.topLeftCorner(k, k).diagonal().array() += nugget;
+      const Eigen::MatrixXd inverse = a.inverse();
+      Eigen::VectorXd right = Eigen::VectorXd::Zero(k + q);
+      for (Index i = 0; i < k; ++i) right[i] = z[i];
+      const Eigen::VectorXd w = inverse * right;
+      const double sigma2 = noise > 0 ? noise * noise / nugget : w.head(k).dot(right.head(k)) / (k - q);
+      double most = 0;
+      for (Index i = 0; i < nearest; ++i)
+        most = std::max(most, std::abs(w[i]) / std::sqrt(inverse(i, i) * sigma2));
+      if (std::abs(most - surprise) < best) best = std::abs(most - surprise), worst = most;
+    }
+    EXPECT_NEAR(surprise, worst, (noise > 0 ? 1e-2 : 1e-6) * worst) << noise;
+    if (noise == 0) {
+      EXPECT_GT(surprise, 2);  // point 2 is off
+    }
+    EXPECT_LE(all.surprise(1), surprise);
+    EXPECT_EQ(all.surprise(0), 0);
+  }
+}
+
+// Points crowded in pairs, as where a mesh map squeezes rows of triangles: the error bar must not come from the
+// rounding of a difference, where it was a millionth of the error.
+TEST(Kriging, ErrorBarHoldsWherePointsCrowd) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> in(-1, 1);
+  double worst = 0;
+  for (int stencil = 0; stencil < 300; ++stencil) {
+    std::vector<double> x, y, z;
+    const double near = std::pow(10, -3 - 3 * (in(random) + 1));  // 1e-9 to 1e-3
+    for (int i = 0; i < 40; ++i) {
+      const double s = in(random), t = 0.4 * in(random) + 0.5 * s * s;
+      for (const double off : {0.0, near}) {
+        x.push_back(s + off), y.push_back(t + off * in(random));
+        z.push_back(std::cos(2 * x.back()) + x.back() * y.back() + 0.2 * std::abs(y.back() - 0.1));
+      }
+    }
+    Kriging kriging;
+    ASSERT_EQ(kriging.set({x, y, z, {}, 1}, 4), 4);
+    double value = 0;
+    const double e = kriging.predict(0, {&value, 1}), truth = 1 + 0.2 * 0.1;
+    worst = std::max(worst, std::abs(value - truth) / (e + 1e-9));
+  }
+  EXPECT_LT(worst, 100);  // a crease near the place; 23 bars here
 }
 
 }  // namespace

@@ -1,0 +1,220 @@
+#include "knotfit/map_picture.h"
+
+#include <cairo.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "knotfit/errors.h"
+#include "knotfit/parameterize_mesh.h"
+#include "knotfit/threads.h"
+#include "report/map_content.h"
+#include "report/map_view.h"
+#include "support/expect_throw.h"
+namespace knotfit {
+namespace {
+
+using test::expect_throw;
+
+// cells x cells squares of two triangles over [0, width] x [0, 1], height z.
+Mesh sheet(int cells, double width = 1, double (*z)(double, double) = nullptr) {
+  Mesh mesh;
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 0; i <= cells; ++i) {
+      const double u = static_cast<double>(i) / cells, v = static_cast<double>(j) / cells;
+      mesh.vertices.insert(mesh.vertices.end(), {width * u, v, z ? z(u, v) : 0.0});
+      mesh.uv.insert(mesh.uv.end(), {u, v});
+    }
+  for (std::int32_t j = 0; j < cells; ++j)
+    for (std::int32_t i = 0; i < cells; ++i) {
+      const std::int32_t a = j * (cells + 1) + i, b = a + 1, c = b + cells + 1, d = c - 1;
+      mesh.faces.push_back({a, b, c});
+      mesh.faces.push_back({a, c, d});
+    }
+  return mesh;
+}
+
+MapPictureInput input_of(const Mesh& mesh, const std::vector<double>& uv) {
+  MapPictureInput input;
+  input.mesh = &mesh;
+  input.uv = &uv;
+  return input;
+}
+
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> rgb;
+  std::uint32_t at(double x, double y) const {
+    return rgb[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+};
+
+Pixels decode(const std::string& png) {
+  struct Reader {
+    const std::string& bytes;
+    std::size_t at;
+  } reader{png, 0};
+  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(
+      [](void* closure, unsigned char* out, unsigned int length) {
+        Reader& r = *static_cast<Reader*>(closure);
+        if (r.at + length > r.bytes.size()) return CAIRO_STATUS_READ_ERROR;
+        std::memcpy(out, r.bytes.data() + r.at, length);
+        r.at += length;
+        return CAIRO_STATUS_SUCCESS;
+      },
+      &reader);
+  EXPECT_EQ(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
+  Pixels p{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
+  for (int y = 0; y < p.height; ++y) {
+    const auto* row = reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(surface) +
+                                                             y * cairo_image_surface_get_stride(surface));
+    for (int x = 0; x < p.width; ++x) p.rgb.push_back(row[x] & 0xFFFFFF);
+  }
+  cairo_surface_destroy(surface);
+  return p;
+}
+
+void expect_colour(std::uint32_t pixel, const report::Rgb& c, const char* what) {
+  const double channels[3] = {c.r, c.g, c.b};
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(pixel >> (16 - 8 * k) & 0xFF, 255 * channels[k], 3) << what;
+}
+
+TEST(MapPicture, IsAFileOfTheFormatAskedFor) {
+  const Mesh mesh = sheet(6);
+  const MapPictureInput input = input_of(mesh, mesh.uv);
+  EXPECT_EQ(draw_map_picture(input, ".png").substr(1, 3), "PNG");
+  EXPECT_NE(draw_map_picture(input, ".svg").find("<svg"), std::string::npos);
+  EXPECT_EQ(draw_map_picture(input, ".pdf").substr(0, 4), "%PDF");
+  const Pixels small = decode(draw_map_picture(input, ".png", {.width = 200, .height = 240}));
+  EXPECT_EQ(small.width, 200);
+  EXPECT_EQ(small.height, 240);
+  EXPECT_EQ(decode(draw_map_picture(input, ".png", {.width = 900, .height = 1600})).height, 1600);
+}
+
+TEST(MapPicture, RefusesWhatItCannotDraw) {
+  const Mesh mesh = sheet(2);
+  MapPictureInput input = input_of(mesh, mesh.uv);
+  expect_throw<InvalidInput>([&] { draw_map_picture(input, ".gif"); },
+                             "\".gif\" is no extension of a picture");
+  expect_throw<InvalidInput>([&] { draw_map_picture(input, ".png", {.width = 100}); }, "width of 100");
+  input.parts = 201;
+  expect_throw<InvalidInput>([&] { draw_map_picture(input, ".png"); }, "201 parts");
+  input.parts = 0;
+  expect_throw<InvalidInput>([&] { draw_map_picture(input, ".png"); }, "0 parts");
+  input.parts = 4;
+  input.corners = {0, 1, 2, 9};
+  expect_throw<InvalidInput>([&] { draw_map_picture(input, ".png"); }, "no vertex 9");
+  expect_throw<InvalidInput>([&] { draw_map_picture({}, ".png"); }, "needs a mesh");
+  std::vector<double> uv(17, 0.5);
+  expect_throw<InvalidInput>([&] { draw_map_picture(input_of(mesh, uv), ".png"); }, "there are 17");
+}
+
+TEST(MapPicture, TellsTheSameFiguresAsTheMeasure) {
+  const Mesh mesh = sheet(12, 2, [](double u, double v) { return 0.4 * std::sin(4 * u) * v; });
+  const MapPictureInput input = input_of(mesh, mesh.uv);
+  const report::MapContent content = report::prepare(input);
+  const MapQuality quality = measure_map(mesh, mesh.uv);
+  EXPECT_EQ(content.quality.stretch, quality.stretch);
+  const report::Facts facts = report::facts_of(content);
+  std::vector<std::string> names;
+  for (const auto& [name, value] : facts) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"L2 stretch", "on its rectangle", "rectangle",
+                                             "stretch of faces", "worst angle", "flipped", "triangles"}));
+  EXPECT_EQ(facts[5].second, "0");
+  EXPECT_EQ(facts[6].second, "288");
+}
+
+// The square of two triangles, one twice as stretched in u as the other: colours by hand.
+TEST(MapPicture, ColoursFacesByTheirStretch) {
+  const Mesh mesh = sheet(8);
+  std::vector<double> uv = mesh.uv;  // u -> u^2: stretched near u = 0
+  for (std::size_t k = 0; k < uv.size(); k += 2) uv[k] *= uv[k];
+  const MapPictureInput input = input_of(mesh, uv);
+  const report::MapContent content = report::prepare(input);
+  EXPECT_FALSE(content.turned);
+  EXPECT_FALSE(content.virtual_faces);
+  EXPECT_GE(content.range, *std::max_element(content.stretch.begin(), content.stretch.end()) - 1e-12);
+  report::Canvas canvas(report::Format::png, 700, 700);
+  const report::Box box = report::draw_map_plane(canvas, content, {0, 0, 700, 700}, 17);
+  const Pixels page = decode(canvas.finish());
+  for (const Index face : {Index{0}, Index{60}, Index{127}}) {
+    const auto& t = mesh.faces[face];
+    double u = 0, v = 0;
+    for (const std::int32_t i : t) u += uv[2 * i] / 3, v += uv[2 * i + 1] / 3;
+    // A place of the face off the lines u, v = k/20.
+    const auto off = [](double x) { return (std::floor(20 * x) + 0.5) / 20; };
+    const double a = face == 0 ? u : off(u), b = face == 0 ? v : off(v);
+    expect_colour(page.at(box.x + a * box.width, box.bottom() - b * box.height), content.colour(face),
+                  "face");
+  }
+}
+
+TEST(MapPicture, MarksTurnedAndVirtualFaces) {
+  Mesh mesh = sheet(4);
+  mesh.virtual_face.assign(mesh.faces.size(), 0);
+  mesh.virtual_face[31] = 1;
+  std::vector<double> uv = mesh.uv;
+  uv[2 * 6] = 0.9;  // vertex (1, 1) beyond its neighbours
+  const MapPictureInput input = input_of(mesh, uv);
+  const report::MapContent content = report::prepare(input);
+  EXPECT_TRUE(content.turned);
+  EXPECT_TRUE(content.virtual_faces);
+  EXPECT_TRUE(std::isnan(content.stretch[31]));
+  EXPECT_EQ(content.colour(31).r, report::kNoData.r);
+  Index turned = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (f != 31 && std::isnan(content.stretch[f])) {
+      EXPECT_EQ(content.colour(f).r, report::kTurned.r);
+      ++turned;
+    }
+  EXPECT_EQ(turned, content.quality.flipped);
+  EXPECT_GT(turned, 0);
+  EXPECT_FALSE(draw_map_picture(input, ".png").empty());
+}
+
+TEST(MapPicture, BordersAreTheFirstAndLastLineOfEachDirection) {
+  const Mesh mesh = sheet(3);
+  MapPictureInput input = input_of(mesh, mesh.uv);
+  input.parts = 5;
+  const report::MapContent content = report::prepare(input);
+  ASSERT_EQ(content.lines.size(), 12u);
+  for (std::size_t k = 0; k < 12; ++k)
+    EXPECT_EQ(content.border(k), k == 0 || k == 5 || k == 6 || k == 11) << k;
+}
+
+TEST(MapPicture, IsTheSameForAnyNumberOfThreads) {
+  const Mesh mesh = sheet(10, 1, [](double u, double v) { return u * v; });
+  const MapPictureInput input = input_of(mesh, mesh.uv);
+  set_thread_count(1);
+  const std::string one = draw_map_picture(input, ".png");
+  set_thread_count(2);
+  EXPECT_EQ(draw_map_picture(input, ".png"), one);
+  set_thread_count(0);
+}
+
+TEST(FaceStretches, HaveTheSquareOfTheAspectFreeStretchAsTheirMean) {
+  const Mesh mesh = sheet(9, 1.7, [](double u, double v) { return 0.5 * std::sin(5 * u) * v * v; });
+  const MapQuality quality = measure_map(mesh, mesh.uv);
+  const std::vector<double> stretch = face_stretches(mesh, mesh.uv, quality.aspect);
+  double sum = 0, total = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& t = mesh.faces[f];
+    const double *a = mesh.vertex(t[0]), *b = mesh.vertex(t[1]), *c = mesh.vertex(t[2]);
+    double n[3];
+    for (int k = 0; k < 3; ++k)
+      n[k] = (b[(k + 1) % 3] - a[(k + 1) % 3]) * (c[(k + 2) % 3] - a[(k + 2) % 3]) -
+             (b[(k + 2) % 3] - a[(k + 2) % 3]) * (c[(k + 1) % 3] - a[(k + 1) % 3]);
+    const double area = std::hypot(n[0], n[1], n[2]) / 2;
+    sum += area * stretch[f] * stretch[f];
+    total += area;
+  }
+  EXPECT_NEAR(std::sqrt(sum / total), quality.aspect_free_stretch, 1e-10 * quality.aspect_free_stretch);
+  // A flat sheet at its own place is mapped evenly.
+  const Mesh flat = sheet(5);
+  for (const double s : face_stretches(flat, flat.uv, 1)) EXPECT_NEAR(s, 1, 1e-12);
+  expect_throw<InvalidInput>([&] { face_stretches(flat, flat.uv, 0); }, "width over height 0");
+}
+
+}  // namespace
+}  // namespace knotfit
