@@ -1,0 +1,38 @@
+// What of the mesh map holds the surface between the vertices: its gradients and its senses [METHOD 7].
+#pragma once
+#include <vector>
+
+#include "correct/holding_mesh.h"
+#include "correct/tangent_system.h"
+namespace knotfit::correction {
+
+/// eps / G sum_g h_u^2 |S_u - X_u|^2 + h_v^2 |S_v - X_v|^2 over 3 x 3 places a cell, weighted by the cell's area,
+/// and along the four sides the derivative along them, a quarter of that [METHOD 7, "Gradient data"].
+std::vector<GradientDatum> gradient_data(const HoldingMesh& mesh, const SpanTable& u, const SpanTable& v,
+                                         double eps);
+
+/// The mesh blurred over about a span, at 4 x 4 places a cell: what the surface must not turn against.
+struct Reference {
+  MapSamples grid;
+  struct Sample {
+    Vec3 n, t1, t2;    ///< mean normal, and the frame in its plane
+    double k[4] = {};  ///< K: 2 x 2, row-major
+    bool used = false;
+  };
+  std::vector<Sample> samples;
+  double mean_area = 0;  ///< of |X_u x X_v|
+};
+inline constexpr int kReferencePerSpan = 4;
+/// \param aspect  rho, width over height of the rectangle that suits the map
+Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable& v, double aspect);
+
+struct HingeState {
+  double folded = 0;             ///< share of the square with (S_u x S_v).n < 0
+  std::vector<char> cell_folds;  ///< by cell
+  std::vector<HingeRow> rows;
+};
+/// \param weights  k_c by cell; empty: the folded share alone
+HingeState hinge_rows(const CellPolynomials& surface, const Reference& reference,
+                      const std::vector<double>& weights);
+
+}  // namespace knotfit::correction

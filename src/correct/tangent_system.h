@@ -1,0 +1,74 @@
+// The control points of one round: points with a matrix each, gradient data, hinge rows [METHOD 7, "Tangent step"].
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "correct/vec3.h"
+#include "fit/axis.h"
+#include "fit/banded.h"
+#include "knotfit/surface.h"
+namespace knotfit::correction {
+
+/// A symmetric 3 x 3 matrix.
+struct Sym3 {
+  double xx = 1, xy = 0, xz = 0, yy = 1, yz = 0, zz = 1;
+};
+/// a I + b n n^T
+inline Sym3 with_axis(double a, double b, const Vec3& n) {
+  return {a + b * n.x * n.x, b * n.x * n.y, b * n.x * n.z,
+          a + b * n.y * n.y, b * n.y * n.z, a + b * n.z * n.z};
+}
+inline Vec3 operator*(const Sym3& m, const Vec3& p) {
+  return {m.xx * p.x + m.xy * p.y + m.xz * p.z, m.xy * p.x + m.yy * p.y + m.yz * p.z,
+          m.xz * p.x + m.yz * p.y + m.zz * p.z};
+}
+
+/// weight_u |S_u - xu|^2 + weight_v |S_v - xv|^2 at (u,v).
+struct GradientDatum {
+  double u, v, weight_u, weight_v;
+  Vec3 xu, xv;
+};
+
+/// weight (y . (a S_u + b S_v) - target)^2 at (u,v).
+struct HingeRow {
+  double u, v, a, b;
+  Vec3 y;
+  double target, weight;
+};
+
+struct SystemPoints {
+  std::span<const double> uv;
+  std::span<const Vec3> point;
+  std::span<const double> weight;
+  std::span<const Sym3> matrix;  ///< empty: I, the point distance
+};
+
+class TangentSystem {
+ public:
+  /// \param aspect  width over height of the rectangle that the thin-plate energy is taken on
+  TangentSystem(const KnotVector& u, const KnotVector& v, double aspect);
+
+  /// Minimises sum w (S - P)^T M (S - P) + lambda J + gradient data + hinge rows, lambda relative to
+  /// tr(A^T W A) / tr(J). The same bits for any number of threads. Hinge rows need the matrices.
+  /// \return nothing where no floor up to 1e-5 makes the matrix positive definite
+  std::optional<Surface> solve(const SystemPoints& points, double smoothing,
+                               std::span<const GradientDatum> gradient,
+                               std::span<const HingeRow> hinge) const;
+
+ private:
+  Index index(Index i, Index j) const { return swapped_ ? j * u_.functions() + i : i * v_.functions() + j; }
+  /// \return tr(A^T W A)
+  double add_points(const SystemPoints& points, int block, BandMatrix& matrix,
+                    std::vector<double>& rhs) const;
+  void add_gradient(std::span<const GradientDatum> data, int block, BandMatrix& scalar,
+                    std::vector<double>& rhs) const;
+  void add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix, std::vector<double>& rhs) const;
+
+  KnotVector knots_u_, knots_v_;
+  Axis u_, v_;
+  bool swapped_ = false;  ///< u runs inside: it has fewer functions
+  BandMatrix energy_;
+};
+
+}  // namespace knotfit::correction

@@ -1,0 +1,228 @@
+#include "correct/map_hold.h"
+
+#include <gtest/gtest.h>
+
+#include "correct/parameter_guard.h"
+#include "data/meshes.h"
+#include "support/random_splines.h"
+namespace knotfit::correction {
+namespace {
+
+using namespace knotfit::test;
+
+/// X(u,v) = (a u, b v, 0) on a sheet.
+HoldingMesh flat(int cells, double a = 1, double b = 1) {
+  const Mesh mesh = sheet(cells, cells);
+  std::vector<Vec3> position;
+  std::vector<double> uv;
+  for (Index k = 0; k < mesh.vertex_count(); ++k) {
+    const double *p = mesh.vertex(k), x = p[0], y = p[1];
+    position.push_back({a * x, b * y, 0});
+    uv.insert(uv.end(), {x, y});
+  }
+  return holding_mesh(mesh, position, uv, mesh.vertex_count());
+}
+
+/// (x(u), y, 0) with the control points' x by their place.
+Surface strip(const KnotVector& u, const KnotVector& v, const std::vector<double>& x) {
+  std::vector<double> net;
+  for (const double a : x)
+    for (const double b : v.greville()) net.insert(net.end(), {a, b, 0});
+  return Surface(u, v, 3, net);
+}
+
+double area(const HoldingMesh& m, bool plane) {
+  double sum = 0;
+  for (const auto& t : m.face) {
+    if (plane) {
+      const double *a = &m.uv[2 * t[0]], *b = &m.uv[2 * t[1]], *c = &m.uv[2 * t[2]];
+      sum += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    } else {
+      sum += length(cross(m.position[t[1]] - m.position[t[0]], m.position[t[2]] - m.position[t[0]])) / 2;
+    }
+  }
+  return sum;
+}
+
+TEST(HoldingMesh, HalvingLeavesTheMapAsItIs) {
+  HoldingMesh m = flat(4, 3, 2);
+  m.virtual_face[5] = 1;
+  const Index before = m.size();
+  halve_long_edges(m, 0.11, 0.06);
+  EXPECT_GT(m.size(), before);
+  EXPECT_NEAR(area(m, true), 1, 1e-12);
+  EXPECT_NEAR(area(m, false), 6, 1e-12);
+  double closing = 0;
+  for (std::size_t f = 0; f < m.face.size(); ++f) {
+    const auto& t = m.face[f];
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LE(std::abs(m.uv[2 * t[k]] - m.uv[2 * t[(k + 1) % 3]]), 0.11);
+      EXPECT_LE(std::abs(m.uv[2 * t[k] + 1] - m.uv[2 * t[(k + 1) % 3] + 1]), 0.06);
+    }
+    if (m.virtual_face[f]) closing += 1;
+  }
+  EXPECT_GT(closing, 1);
+  for (Index k = 0; k < m.size(); ++k)
+    EXPECT_NEAR(length(m.position[k] - Vec3{3 * m.uv[2 * k], 2 * m.uv[2 * k + 1], 0}), 0, 1e-14);
+  // The border still goes round: every vertex of it once from, once to.
+  std::vector<int> out(static_cast<std::size_t>(m.size()), 0), in = out;
+  for (const auto& [a, b] : m.border) ++out[a], ++in[b];
+  EXPECT_EQ(out, in);
+  EXPECT_EQ(m.border.size(), static_cast<std::size_t>(std::count(out.begin(), out.end(), 1)));
+}
+
+TEST(HoldingMesh, BorderVerticesSlideAlongTheirSides) {
+  const HoldingMesh m = flat(3);
+  const std::vector<Slide> s = slides(m, true, false), still = slides(m, false, false),
+                           round = slides(m, true, true);
+  for (Index k = 0; k < m.size(); ++k) {
+    const bool u = m.uv[2 * k] == 0 || m.uv[2 * k] == 1, v = m.uv[2 * k + 1] == 0 || m.uv[2 * k + 1] == 1;
+    EXPECT_EQ(s[k], u && v ? Slide::fixed : u ? Slide::along_v : v ? Slide::along_u : Slide::free);
+    EXPECT_EQ(still[k], u || v ? Slide::fixed : Slide::free);
+    EXPECT_EQ(round[k], u || v ? Slide::round : Slide::free);
+  }
+}
+
+TEST(HoldingMesh, WeightsOfTheDataSumToOne) {
+  HoldingMesh m = flat(4);
+  const Index own = m.size();
+  halve_long_edges(m, 0.13, 0.13);
+  PointWeights w = point_weights(m);
+  weigh_added(m, 0.3, w);
+  double data = 0, added = 0, parts = 0;
+  for (std::size_t i = 0; i < w.vertex.size(); ++i) {
+    EXPECT_EQ(w.data[i] != 0, w.vertex[i] < own);
+    (w.data[i] ? data : added) += w.weight[i];
+    parts += w.area[i];
+  }
+  EXPECT_NEAR(data, 1, 1e-12);
+  EXPECT_NEAR(parts, 1, 1e-12);
+  EXPECT_GT(added, 0);
+  EXPECT_LE(added, 0.3);
+}
+
+TEST(ParameterGuard, KeepsEveryTriangle) {
+  Random random;
+  const HoldingMesh m = flat(12);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    std::vector<double> to = m.uv;
+    for (double& x : to) x = std::clamp(x + random.uniform(-0.2, 0.2), 0.0, 1.0);
+    ParameterGuard guard(m.face, m.size());
+    const Index held = guard.hold(m.uv, to);
+    EXPECT_GT(held, 0);
+    const auto least = [&] {
+      double a = INFINITY;
+      for (const auto& t : m.face) {
+        const double *p = &to[2 * t[0]], *q = &to[2 * t[1]], *r = &to[2 * t[2]];
+        a = std::min(a, (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+      }
+      return a;
+    };
+    EXPECT_GE(least(), 0.02 / 144 * (1 - 1e-9));
+    const std::vector<double> before = to;
+    guard.relax(to, std::vector<Slide>(static_cast<std::size_t>(m.size()), Slide::free), 2);
+    EXPECT_GT(least(), 0);
+    EXPECT_NE(before, to);
+  }
+}
+
+TEST(ParameterGuard, LetsGoodMovesBe) {
+  const HoldingMesh m = flat(6);
+  std::vector<double> to = m.uv;
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] = to[k] * to[k];
+  const std::vector<double> wanted = to;
+  EXPECT_EQ(ParameterGuard(m.face, m.size()).hold(m.uv, to), 0);
+  EXPECT_EQ(to, wanted);
+}
+
+TEST(GradientData, AreTheDerivativesOfTheMap) {
+  const KnotVector u = KnotVector::uniform(3, 3), v = KnotVector::uniform(3, 1);
+  const SpanTable tu(u), tv(v);
+  const std::vector<GradientDatum> data = gradient_data(flat(5, 3, 2), tu, tv, 1e-2);
+  double sum_u = 0;
+  std::size_t inside = 0;
+  for (const GradientDatum& g : data) {
+    if (g.weight_u > 0) {
+      EXPECT_NEAR(length(g.xu - Vec3{3, 0, 0}), 0, 1e-12);
+    }
+    if (g.weight_v > 0) {
+      EXPECT_NEAR(length(g.xv - Vec3{0, 2, 0}), 0, 1e-12);
+    }
+    if (g.weight_u > 0 && g.weight_v > 0) sum_u += g.weight_u, ++inside;
+  }
+  EXPECT_EQ(inside, 3u * 4 * 3 * 2);
+  EXPECT_NEAR(sum_u, 1e-2 / 16, 1e-12);  // eps h_u^2
+  EXPECT_EQ(data.size(), inside + 2 * (3 * 4 + 3 * 2));
+  EXPECT_TRUE(gradient_data(flat(5), tu, tv, 0).empty());
+}
+
+TEST(HingeRows, AreNoneWhereTheSurfaceFollowsTheMesh) {
+  const KnotVector knots = KnotVector::uniform(3, 4);
+  const HoldingMesh m = flat(8);
+  const Surface s = strip(knots, knots, knots.greville());
+  const CellPolynomials cells(s);
+  for (const double aspect : {1.0, 2.5}) {
+    const Reference r = reference(m, cells.u(), cells.v(), aspect);
+    EXPECT_NEAR(r.mean_area, 1, 1e-12);
+    const HingeState state = hinge_rows(cells, r, std::vector<double>(25, 1.0));
+    EXPECT_EQ(state.folded, 0);
+    EXPECT_TRUE(state.rows.empty());
+  }
+}
+
+TEST(HingeRows, AskForTheSingularValueTheyStandFor) {
+  // x(u) creeps, turns back and races: singular values below 0.5, negative, and above 2.
+  const KnotVector knots = KnotVector::uniform(3, 7);
+  std::vector<double> x = knots.greville();
+  x[4] = x[3] + 0.01, x[5] = x[4] - 0.05, x[6] = x[5] + 0.5;
+  const Surface s = strip(knots, knots, x);
+  const CellPolynomials cells(s);
+  const Reference r = reference(flat(9), cells.u(), cells.v(), 1);
+  const HingeState state = hinge_rows(cells, r, std::vector<double>(64, 2.0));
+  EXPECT_GT(state.folded, 0);
+  bool low = false, high = false, turned = false;
+  for (const HingeRow& h : state.rows) {
+    const Jet j = cells.jet(h.u, h.v);
+    const double value = dot(h.y, h.a * j.u + h.b * j.v);
+    // y and z are +-e_u: the value is S_u's share along the mesh.
+    EXPECT_NEAR(value, dot(j.u, {1, 0, 0}), 1e-9);
+    EXPECT_TRUE(h.target == 0.5 ? value < 0.5 : value > 2);
+    EXPECT_NEAR(h.weight, 2 * 3e-2 / 64 / 64 / 16, 1e-12);
+    low = low || h.target == 0.5;
+    high = high || h.target == 2;
+    turned = turned || value < 0;
+  }
+  EXPECT_TRUE(low && high && turned);
+  double folded = 0;
+  for (int c = 0; c < 64; ++c) folded += state.cell_folds[c] ? 1.0 / 64 : 0;
+  EXPECT_LE(state.folded, folded);
+  EXPECT_EQ(hinge_rows(cells, r, {}).folded, state.folded);
+}
+
+TEST(HingeRows, DoNotDependOnHowTheSquareLies) {
+  // The same mesh and surface with space turned: the same rows up to the turn.
+  Random random;
+  const KnotVector knots = KnotVector::uniform(3, 3);
+  std::vector<double> net = random_numbers(random, 49 * 3, 0.2);
+  const std::vector<double> g = knots.greville();
+  for (int k = 0; k < 49; ++k) net[3 * k] += g[k / 7], net[3 * k + 1] += g[k % 7];
+  HoldingMesh m = flat(7);
+  const Surface s(knots, knots, 3, net);
+  std::vector<double> turned;
+  for (int k = 0; k < 49; ++k) turned.insert(turned.end(), {-net[3 * k + 1], net[3 * k], net[3 * k + 2]});
+  const CellPolynomials a(s), b(Surface(knots, knots, 3, turned));
+  const HingeState one = hinge_rows(a, reference(m, a.u(), a.v(), 1.4), std::vector<double>(16, 1.0));
+  for (Vec3& p : m.position) p = {-p.y, p.x, p.z};
+  const HingeState two = hinge_rows(b, reference(m, b.u(), b.v(), 1.4), std::vector<double>(16, 1.0));
+  ASSERT_GT(one.rows.size(), 0u);
+  ASSERT_EQ(one.rows.size(), two.rows.size());
+  EXPECT_NEAR(one.folded, two.folded, 1e-12);
+  for (std::size_t k = 0; k < one.rows.size(); ++k) {
+    const Jet j = a.jet(one.rows[k].u, one.rows[k].v), l = b.jet(two.rows[k].u, two.rows[k].v);
+    EXPECT_NEAR(dot(one.rows[k].y, one.rows[k].a * j.u + one.rows[k].b * j.v),
+                dot(two.rows[k].y, two.rows[k].a * l.u + two.rows[k].b * l.v), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace knotfit::correction
