@@ -1,9 +1,8 @@
 #include "command_line.h"
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <memory>
 
+#include "command_line_options.h"
 #include "help_text.h"
 #include "knotfit/errors.h"
 #include "knotfit/version.h"
@@ -11,8 +10,7 @@
 namespace knotfit::tool {
 namespace {
 
-constexpr std::size_t kColumn = 34;       // where descriptions begin
-constexpr std::size_t kDescription = 70;  // and how wide they are
+constexpr std::size_t kColumn = 34;  // where descriptions begin
 
 // CLI11's own lists what each option excludes; the parser's messages say so where it matters.
 class PlainFormatter : public CLI::Formatter {
@@ -22,6 +20,8 @@ class PlainFormatter : public CLI::Formatter {
     return " " + option->get_type_name() + (option->get_expected_max() > 1 ? " ..." : "");
   }
 };
+
+}  // namespace
 
 // One option of one command, its value given to `take`; what `take` refuses is named by the option.
 CLI::Option* add(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
@@ -360,67 +360,6 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   }
 }
 
-// "a,b,c", each given to `take`.
-void each_of(const std::string& list, const std::function<void(const std::string&)>& take) {
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    take(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-}
-
-void add_compare(CLI::App& app, CompareArguments& compare) {
-  FitChoices& c = compare.choices;
-  add_input(app, "INPUT", compare.input,
-            "Points with parameters, a mesh, a raster of heights, rows or grids of points");
-  const std::string what = "What is compared";
-  add(app, "--sizes", "NxM,...", "Fixed sizes, in control points along u and v", what,
-      [&](const std::string& t) {
-        each_of(t, [&](const std::string& size) { compare.sizes.push_back(parse_pair(size, 2)); });
-      });
-  add(app, "--tolerances", "X|X%,...", "Tolerances as --tol of fit takes them: sizes are searched to each",
-      what, [&](const std::string& t) {
-        each_of(t, [&](const std::string& one) { compare.tolerances.push_back(parse_tolerance(one)); });
-      });
-  add(app, "--methods", "A,B,...",
-      "Methods by name (knotfit methods lists them), criterion:MEASURE for a feature measure; default all",
-      what,
-      [&](const std::string& t) { each_of(t, [&](const std::string& m) { compare.methods.push_back(m); }); });
-  CLI::Option* within = add(app, "--within", "P%", "The share of the points that must hold a tolerance", what,
-                            [&](const std::string& t) { c.measure = parse_percentile(t); });
-  add_flag(app, "--rms", "The root mean square error counts in a tolerance, not the maximum", what, [&] {
-    c.measure = MeasureValue{ErrorMeasure::rms, 1};
-  })->excludes(within);
-  add(app, "--degree", "D|DxE", "Degree along u and v, 1 to 9; default 3", what, [&](const std::string& t) {
-    c.degree = parse_pair(t, 1);
-    if (c.degree->first > kMaxDegree || c.degree->second > kMaxDegree) refuse(t, "a degree from 1 to 9");
-  });
-  add_evaluations(app, c, what);
-  add(app, "--max-control-points", "N", "Most control points of a search", what,
-      [&](const std::string& t) { c.max_control_points = parse_count(t, 1); });
-  add(app, "--max-fits", "N", "Most linear fits of one search", what,
-      [&](const std::string& t) { c.max_fits = static_cast<long>(parse_count(t, 1)); });
-  add(app, "--feature", one_of(kFeatures), "Feature measure of methods that have one; default hessian", what,
-      [&](const std::string& t) { c.feature = parse_named(kFeatures, t); });
-  add(app, "--smoothing", "X", "Relative smoothing floor of the least squares; default 1e-9", what,
-      [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
-  add_data_options(app, c);
-  add_mesh_options(app, c);
-  add(app, "-o,--output", "FOLDER",
-      "Tables (CSV, JSON), every surface, and pictures (SVG, PNG): error against control points, and each "
-      "method's "
-      "knot lines over its errors in one colour scale",
-      "Output", [&](const std::string& t) { compare.folder = t; });
-  add_flag(app, "--force", "Replace the files of a comparison that is there", "Output",
-           [&] { compare.force = true; });
-  add_flag(app, "--json", "One JSON object on standard output in place of the table", "Output",
-           [&] { compare.json = true; });
-  add(app, "--between", one_of(kSwitch), "Measure the surfaces between the points too; default on", "Running",
-      [&](const std::string& t) { c.between = parse_named(kSwitch, t); });
-  add_threads(app, compare.threads);
-  add_flag(app, "--quiet", "No progress and no table", "Running", [&] { compare.quiet = true; });
-}
-
 void add_eval(CLI::App& app, EvalArguments& eval) {
   add_input(app, "SURFACE", eval.surface, "A surface.json, or a STEP or IGES file");
   add_surface_options(app, eval.source);
@@ -493,8 +432,6 @@ void add_list(CLI::App& app, ListArguments& list) {
   add_flag(app, "--json", "One JSON array", "Output", [&] { list.json = true; });
 }
 
-}  // namespace
-
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
   CLI::App app{"B-spline surfaces with the fewest control points that hold a tolerance.", "knotfit"};
@@ -514,6 +451,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App* fit = command("fit", "Fit one B-spline surface to points, a mesh or terrain", Command::fit);
   CLI::App* compare =
       command("compare", "Every placement method on the same data: a table and pictures", Command::compare);
+  CLI::App* fit_curve = command("fit-curve", "Fit one B-spline curve to ordered points", Command::fit_curve);
   CLI::App* parameterize =
       command("parameterize", "Give the vertices of a mesh parameters u, v", Command::parameterize);
   CLI::App* eval = command("eval", "Values, derivatives and differences of a surface", Command::eval);
@@ -523,6 +461,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App* formats = command("formats", "List the file formats", Command::formats);
   add_fit(*fit, line.fit);
   add_compare(*compare, line.compare);
+  add_fit_curve(*fit_curve, line.fit_curve);
   add_parameterize(*parameterize, line.parameterize);
   add_eval(*eval, line.eval);
   add_info(*info, line.info);
@@ -530,7 +469,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   add_list(*methods, line.list);
   add_list(*formats, line.list);
   fit->footer(examples("fit") + "\n" + exit_statuses());
-  for (CLI::App* sub : {compare, parameterize, eval, info, convert}) sub->footer(examples(sub->get_name()));
+  for (CLI::App* sub : {compare, fit_curve, parameterize, eval, info, convert})
+    sub->footer(examples(sub->get_name()));
 
   try {
     app.parse(argc, argv);

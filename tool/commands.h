@@ -5,6 +5,7 @@ namespace knotfit::tool {
 
 int run_fit(const FitArguments& arguments);
 int run_compare(const CompareArguments& arguments);
+int run_fit_curve(const CurveArguments& arguments);
 int run_parameterize(const ParameterizeArguments& arguments);
 int run_eval(const EvalArguments& arguments);
 int run_info(const InfoArguments& arguments);

@@ -53,6 +53,11 @@ std::string examples(std::string_view command) {
                 "nktp,dominant,error-model -o report\n") +
             "  knotfit compare samples/jacksboro.asc --tolerances 5% --within 99.5% --methods "
             "uniform,error-model --json\n";
+  else if (command == "fit-curve")
+    text += std::string(
+                "  knotfit fit-curve samples/blade_profile.csv --closed --tol 0.1% -o blade.json -o "
+                "blade.svg\n") +
+            "  knotfit fit-curve samples/blade_profile.csv --closed --control-points 24 --compare all\n";
   else if (command == "parameterize")
     text += std::string("  knotfit parameterize samples/face.obj -o face.csv -o face.vt.obj\n") +
             "  knotfit parameterize samples/face.obj -o face.png --lines 30\n" +

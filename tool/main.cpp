@@ -21,6 +21,8 @@ int run(const CommandLine& line) {
       return run_fit(line.fit);
     case Command::compare:
       return run_compare(line.compare);
+    case Command::fit_curve:
+      return run_fit_curve(line.fit_curve);
     case Command::parameterize:
       return run_parameterize(line.parameterize);
     case Command::eval:

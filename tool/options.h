@@ -134,6 +134,20 @@ struct CompareArguments {
   bool force = false, quiet = false, json = false;
 };
 
+/// Of the choices those on tolerance, method, features, reading, spacing and CAD.
+struct CurveArguments {
+  std::string input;
+  FitChoices choices;
+  int degree = 3;
+  int control_points = 0;
+  std::optional<std::vector<double>> knots;
+  std::vector<std::string> compare;  ///< methods of a table; empty: one curve
+  bool closed = false, function = false, corrected = false;
+  OutputOptions output;
+  int threads = 0;
+  bool quiet = false, json = false;
+};
+
 struct EvalArguments {
   std::string surface;
   SurfaceChoices source;
@@ -172,12 +186,13 @@ struct ListArguments {
   bool json = false;
 };
 
-enum class Command { fit, compare, parameterize, eval, info, convert, methods, formats };
+enum class Command { fit, compare, fit_curve, parameterize, eval, info, convert, methods, formats };
 
 struct CommandLine {
   Command command = Command::fit;
   FitArguments fit;
   CompareArguments compare;
+  CurveArguments fit_curve;
   ParameterizeArguments parameterize;
   EvalArguments eval;
   InfoArguments info;

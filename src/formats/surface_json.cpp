@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formats/file_bytes.h"
-#include "formats/json_reader.h"
+#include "formats/json_members.h"
 #include "formats/number.h"
 #include "formats/surface_net.h"
 #include "formats/text_lines.h"
@@ -66,45 +66,8 @@ std::string map_objection(const ParameterMap& map) {
   return {};
 }
 
-/// Members of one JSON object by name. \throws FileError  a name that is read stands there twice
-class Members {
- public:
-  Members(std::string_view text, std::string_view object, const std::string& path)
-      : text_(text), path_(path), place_(object) {
-    JsonReader reader(text, object, path);
-    if (reader.peek() != JsonReader::Kind::object) reader.fail("a JSON object is missing");
-    members_ = reader.members();
-    reader.finish();
-  }
-  /// The text of a member, or nothing.
-  std::optional<std::string_view> find(std::string_view name) const {
-    std::optional<std::string_view> found;
-    for (const auto& [key, value] : members_) {
-      if (key != name) continue;
-      if (found) at(name, value).fail("the member is there twice");
-      found = value;
-    }
-    return found;
-  }
-  std::string_view get(std::string_view name) const {
-    const auto value = find(name);
-    if (!value) at({}, place_).fail(fmt::format("not a knotfit surface: the member \"{}\" is missing", name));
-    return *value;
-  }
-  /// A reader on a member's text that names the member in its errors.
-  JsonReader at(std::string_view name, std::string_view value) const {
-    JsonReader reader(text_, value, path_);
-    reader.set_member(std::string(name));
-    return reader;
-  }
-  JsonReader at(std::string_view name) const { return at(name, get(name)); }
-
- private:
-  std::string_view text_;
-  const std::string& path_;
-  std::string_view place_;
-  std::vector<std::pair<std::string, std::string_view>> members_;
-};
+constexpr const char* kWhat = "knotfit surface";
+using Members = JsonMembers;
 
 void check_schema(const Members& in) {
   if (const auto format = in.find("format")) {
@@ -167,7 +130,7 @@ bool is_v_major(const Members& in) {
 ParameterMap read_map(const Members& in, std::string_view object, std::string_view text,
                       const std::string& path) {
   ParameterMap map;
-  const Members members(text, object, path);
+  const Members members(text, object, path, kWhat);
   const auto name = [&](const char* key, std::string& out) {
     if (!members.find(key)) return;
     JsonReader reader = members.at(key);
@@ -201,9 +164,9 @@ std::string read_object(const Members& in, std::string_view name) {
 
 SurfaceDocument read_document(std::string_view text, const std::string& path) {
   const std::string_view body = text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-  const Members top(text, body, path);
+  const Members top(text, body, path, kWhat);
   const auto inner = top.find("surface");
-  const Members in = inner ? Members(text, *inner, path) : top;
+  const Members in = inner ? Members(text, *inner, path, kWhat) : top;
   check_schema(in);
   SurfaceDocument document;
   const std::vector<int> degree = read_degree(in);

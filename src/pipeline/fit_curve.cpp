@@ -207,7 +207,7 @@ void check_options(const CurvePoints& points, const CurveFitOptions& o) {
 }
 
 /// Clamped over [0,1], from one period over its own.
-Curve finished(const Curve& curve) {
+Curve finished(const Curve& curve, bool closed) {
   const double first = curve.knots().first();
   std::vector<double> knots = curve.knots().knots();
   for (double& t : knots) t -= first;
@@ -224,6 +224,7 @@ Curve finished(const Curve& curve) {
     const auto c = strip.control_point(i, 0);
     row.insert(row.end(), c.begin(), c.end());
   }
+  if (closed) std::copy_n(row.begin(), d, row.end() - d);  // to the last bit
   // The period's end is 1 up to rounding.
   std::vector<double> clean = strip.knots_u().knots();
   for (double& t : clean)
@@ -301,7 +302,7 @@ CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& optio
 
   const double first = best.curve.knots().first();
   result.control_points = best.control_points;
-  const Curve unit = finished(best.curve);
+  const Curve unit = finished(best.curve, points.closed);
   std::vector<double> net;
   for (Index i = 0; i < unit.size(); ++i)
     for (int copy = 0; copy < 2; ++copy)
@@ -314,6 +315,8 @@ CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& optio
     const auto c = strip.control_point(i, 0);
     row.insert(row.end(), c.begin(), c.end());
   }
+  if (points.closed)
+    std::copy_n(row.begin(), points.dimension, row.end() - points.dimension);  // to the last bit
   result.curve = Curve(strip.knots_u(), strip.dimension(), std::move(row));
   result.knots = result.curve.knots().interior();
   ParameterizedPoints checked = border;

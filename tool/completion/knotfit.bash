@@ -5,12 +5,12 @@ _knotfit() {
   local tool=${COMP_WORDS[0]}
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-    case $word in fit | compare | parameterize | eval | info | convert | methods | formats) command=$word; break ;; esac
+    case $word in fit | compare | fit-curve | parameterize | eval | info | convert | methods | formats) command=$word; break ;; esac
   done
 
   case $previous in
     --knots) COMPREPLY=($(compgen -W "$("$tool" methods --names 2>/dev/null)" -- "$current")); return ;;
-    --methods) COMPREPLY=($(compgen -W "all $("$tool" methods --names 2>/dev/null)" -- "$current")); return ;;
+    --methods | --compare) COMPREPLY=($(compgen -W "all $("$tool" methods --names 2>/dev/null)" -- "$current")); return ;;
     --input-format) COMPREPLY=($(compgen -W "$("$tool" formats --names 2>/dev/null)" -- "$current")); return ;;
     --refine) COMPREPLY=($(compgen -W "search insert" -- "$current")); return ;;
     --feature) COMPREPLY=($(compgen -W "hessian curvature derivative residual" -- "$current")); return ;;
@@ -22,13 +22,13 @@ _knotfit() {
     --step-schema) COMPREPLY=($(compgen -W "ap214 ap242" -- "$current")); return ;;
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --points | --options | --knots-from | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
-    --tol | --sizes | --tolerances | --evaluations | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
+    --tol | --sizes | --tolerances | --evaluations | --knots-t | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
       --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
       --derivatives | --derivative | --omega | --samples | --lines | --name | --cad-tol | --face) return ;;
   esac
 
   if [[ -z $command ]]; then
-    COMPREPLY=($(compgen -W "fit compare parameterize eval info convert methods formats --help --version" -- "$current"))
+    COMPREPLY=($(compgen -W "fit compare fit-curve parameterize eval info convert methods formats --help --version" -- "$current"))
     return
   fi
   local input="--input-format --columns --nodata" output="-o --output --force"
@@ -45,6 +45,10 @@ _knotfit() {
       options="--sizes --tolerances --methods --within --rms --degree --evaluations --max-control-points --max-fits
         --feature --smoothing $input --height-field --spacing --rescale-parameters --duplicates
         $mesh $output --json --between --threads --quiet" ;;
+    fit-curve)
+      options="--tol --within --rms --control-points --degree --max-control-points --max-fits --knots --knots-t
+        --compare --feature --evaluations --smoothing $input --closed --function --spacing --corrected $output
+        --unit --name --step-schema --json --threads --quiet" ;;
     parameterize) options="$mesh --map --lines --input-format $output --json --threads --quiet" ;;
     eval)
       options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $surface $input $output

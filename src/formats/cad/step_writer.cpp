@@ -18,7 +18,7 @@ Handle(TCollection_HAsciiString) text(const std::string& s) {
   return new TCollection_HAsciiString(s.c_str());
 }
 
-void write_header(const Handle(StepData_StepModel) & model, const CadOptions& options) {
+void write_header(const Handle(StepData_StepModel) & model, const CadOptions& options, bool curve) {
   APIHeaderSection_MakeHeader header(model);
   header.SetName(text(options.name));
   header.SetTimeStamp(text(options.time_stamp));
@@ -26,7 +26,7 @@ void write_header(const Handle(StepData_StepModel) & model, const CadOptions& op
   header.SetOrganizationValue(1, text(""));
   header.SetOriginatingSystem(text("knotfit " + std::string(version())));
   header.SetAuthorisation(text(""));
-  header.SetDescriptionValue(1, text("B-spline surface"));
+  header.SetDescriptionValue(1, text(curve ? "B-spline curve" : "B-spline surface"));
   header.Apply(model);
 }
 
@@ -38,7 +38,7 @@ std::string step_text(const TopoDS_Shape& shape, const CadOptions& options, Sess
   if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
     throw std::runtime_error("OpenCASCADE did not translate the surface to STEP");
   const Handle(StepData_StepModel) model = writer.Model();
-  write_header(model, options);
+  write_header(model, options, shape.ShapeType() == TopAbs_EDGE);
   for (int k = 1; k <= model->NbEntities(); ++k) {
     const auto product = Handle(StepBasic_Product)::DownCast(model->Entity(k));
     if (product.IsNull()) continue;

@@ -1,5 +1,6 @@
 // In place of CAD exchange where knotfit is built without OpenCASCADE.
 #include "knotfit/cad.h"
+#include "knotfit/curve_io.h"
 #include "knotfit/errors.h"
 namespace knotfit {
 namespace {
@@ -21,6 +22,14 @@ void write_cad(const std::string& path, const std::vector<Surface>&, const CadOp
 }
 
 std::vector<Surface> read_cad(const std::string& path, CadUnit) {
+  refuse(path);
+}
+
+void write_cad_curve(const std::string& path, const Curve&, const CadOptions&, bool) {
+  refuse(path);
+}
+
+std::vector<Curve> read_cad_curves(const std::string& path, CadUnit) {
   refuse(path);
 }
 

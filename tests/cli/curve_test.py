@@ -1,0 +1,124 @@
+"""knotfit fit-curve: open, closed, in space and y over x; its files; what it refuses."""
+
+import json
+import math
+import unittest
+import xml.dom.minidom
+
+from harness import SAMPLES, ToolTest
+
+
+class FitCurve(ToolTest):
+    def circle(self, n=120, name="circle.csv"):
+        lines = ["x,y"]
+        for k in range(n):
+            a = 2 * math.pi * (k / n + 0.05 * math.sin(2 * math.pi * k / n))
+            lines.append(f"{3 * math.cos(a)!r},{2 * math.sin(a)!r}")
+        return self.write(name, "\n".join(lines) + "\n")
+
+    def graph(self, n=200):
+        lines = ["x,y"]
+        for k in range(n):
+            x = 10 + 20 * k / (n - 1)
+            lines.append(f"{x!r},{math.tanh(3 * (x - 16))!r}")
+        return self.write("graph.csv", "\n".join(lines) + "\n")
+
+    def test_a_closed_curve_to_a_tolerance_with_every_output(self):
+        self.circle()
+        j = self.run_json("fit-curve", "circle.csv", "--closed", "--tol", "0.001", "-o", "c.json", "-o", "c.csv",
+                          "-o", "c.svg", "-o", "c.png", "-o", "c.step", "-o", "c.igs")
+        self.assertTrue(j["reached"])
+        self.assertTrue(j["closed"])
+        self.assertLessEqual(j["error"]["max"], 0.001)
+        self.assertEqual(j["control_points"], len(j["knots"]) + 1)
+        self.assertEqual(j["outputs"], ["c.json", "c.csv", "c.svg", "c.png", "c.step", "c.igs"])
+        document = self.load("c.json")
+        self.assertEqual(document["format"], "knotfit-curve")
+        self.assertEqual(document["control_points"][0], document["control_points"][-1])
+        rows = self.read_csv((self.folder / "c.csv").read_text())
+        self.assertEqual(len(rows), 120)
+        self.assertAlmostEqual(max(r["error"] for r in rows), j["error"]["max"], delta=1e-15)
+        self.assertAlmostEqual(math.sqrt(sum(r["error"] ** 2 for r in rows) / 120), j["error"]["rms"], delta=1e-12)
+        xml.dom.minidom.parse(str(self.folder / "c.svg"))
+        self.assertIn("B_SPLINE_CURVE_WITH_KNOTS", (self.folder / "c.step").read_text())
+
+    def test_y_over_x(self):
+        self.graph()
+        j = self.run_json("fit-curve", "graph.csv", "--function", "--control-points", "9", "-o", "g.json", "-o", "g.csv")
+        self.assertEqual(j["dimension"], 1)
+        self.assertEqual(j["status"], "fixed_size")
+        document = self.load("g.json")
+        self.assertEqual((document["x0"], document["x1"]), (10, 30))
+        rows = self.read_csv((self.folder / "g.csv").read_text())
+        self.assertAlmostEqual(rows[50]["x"], 10 + 20 * 50 / 199, delta=1e-12)
+
+    def test_in_space_and_corrected(self):
+        lines = ["x,y,z"]
+        for k in range(150):
+            t = (k / 149) ** 2
+            lines.append(f"{math.cos(6 * t)!r},{math.sin(6 * t)!r},{t!r}")
+        self.write("helix.csv", "\n".join(lines) + "\n")
+        plain = self.run_json("fit-curve", "helix.csv", "--control-points", "8", "--spacing", "uniform")
+        self.assertEqual(plain["dimension"], 3)
+        better = self.run_json("fit-curve", "helix.csv", "--control-points", "8", "--spacing", "uniform", "--corrected",
+                               "-o", "h.step")
+        self.assertLess(better["error"]["rms"], plain["error"]["rms"])
+
+    def test_knots_given_come_back(self):
+        self.graph()
+        j = self.run_json("fit-curve", "graph.csv", "--function", "--knots-t", "0.2,0.3,0.5")
+        self.assertEqual(j["knots"], [0.2, 0.3, 0.5])
+        self.assertEqual(j["method"], "given")
+        self.circle()
+        j = self.run_json("fit-curve", "circle.csv", "--closed", "--knots-t", "0.2,0.3,0.5,0.8")
+        self.assertEqual(j["knots"], [0.2, 0.3, 0.5, 0.8])
+        self.assertEqual(j["control_points"], 5)
+
+    def test_optimal_is_the_best_of_the_table(self):
+        rows = self.run_json("fit-curve", SAMPLES / "blade_profile.csv", "--closed", "--control-points", "20",
+                             "--compare", "all", "--evaluations", "300")["rows"]
+        names = self.run_tool("methods", "--names").stdout.split()
+        self.assertEqual(len(rows), len(names) + 3)
+        best = next(r["rms"] for r in rows if r["method"] == "optimal")
+        for row in rows:
+            self.assertLessEqual(best, row["rms"] * 1.001, row["method"])
+        table = self.run_tool("fit-curve", SAMPLES / "blade_profile.csv", "--closed", "--control-points", "20",
+                              "--compare", "nktp,dominant").stdout
+        self.assertEqual(len(table.splitlines()), 3)
+
+    def test_statuses(self):
+        self.graph()
+        j = self.run_json("fit-curve", "graph.csv", "--function", "--control-points", "5", "--tol", "1e-6", status=3)
+        self.assertEqual(j["status"], "not_reached")
+        text = self.run_tool("fit-curve", "graph.csv", "--function").stdout
+        self.assertIn("reached", text)
+
+    def test_refusals(self):
+        self.circle()
+        self.graph()
+        self.refused("fit-curve", "missing.csv", words=["missing.csv"])
+        self.refused("fit-curve", "circle.csv", "--function", words=["circle.csv", "x must increase"])
+        self.refused("fit-curve", "circle.csv", "--closed", "--function", words=["--closed"])
+        self.refused("fit-curve", "circle.csv", "--control-points", "200", words=["120 points are fewer than 200"])
+        self.refused("fit-curve", "circle.csv", "--knots", "best", words=["no placement method 'best'"])
+        self.refused("fit-curve", "circle.csv", "--degree", "10", words=["--degree"])
+        self.refused("fit-curve", "circle.csv", "-o", "c.asc", words=["c.asc", "no curve"])
+        self.refused("fit-curve", "circle.csv", "-o", "c.obj", words=["c.obj", "no curve"])
+        self.refused("fit-curve", "circle.csv", "--compare", "all", "-o", "c.json", words=["--compare"])
+        self.refused("fit-curve", "circle.csv", "--tol", "0", words=["--tol"])
+        self.write_raster()
+        self.refused("fit-curve", "terrain.asc", words=["no curve"])
+        self.write("one.csv", "x,y\n1,2\n")
+        self.refused("fit-curve", "one.csv", words=["one.csv", "at least 2"])
+
+    def test_a_file_that_is_there_is_kept(self):
+        self.circle()
+        self.run_tool("fit-curve", "circle.csv", "--control-points", "8", "-o", "c.json")
+        self.refused("fit-curve", "circle.csv", "--control-points", "8", "-o", "c.json", words=["c.json"])
+        before = (self.folder / "c.json").read_text()
+        self.run_tool("fit-curve", "circle.csv", "--control-points", "8", "-o", "c.json", "--force")
+        self.assertEqual(before, (self.folder / "c.json").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

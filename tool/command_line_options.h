@@ -1,0 +1,34 @@
+// Options as CLI11 takes them: what the files of the command line share. CLI11 is included here alone.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "options.h"
+namespace knotfit::tool {
+
+inline constexpr std::size_t kDescription = 70;  ///< width of descriptions
+
+/// One option of one command, its value given to `take`; what `take` refuses is named by the option.
+CLI::Option* add(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
+                 const std::string& group, const std::function<void(const std::string&)>& take);
+CLI::Option* add_flag(CLI::App& app, const std::string& name, const std::string& help,
+                      const std::string& group, const std::function<void()>& take);
+CLI::Option* add_input(CLI::App& app, const std::string& name, std::string& path, const std::string& help);
+
+// Options of several commands.
+void add_input_options(CLI::App& app, InputOptions& input);
+CLI::Option* add_output_options(CLI::App& app, OutputOptions& output, const std::string& what);
+void add_threads(CLI::App& app, int& threads);
+void add_data_options(CLI::App& app, FitChoices& choices);
+void add_mesh_options(CLI::App& app, FitChoices& choices);
+void add_evaluations(CLI::App& app, FitChoices& choices, const std::string& group);
+void add_cad_options(CLI::App& app, CadChoices& cad, const std::string& unit);
+void add_unit(CLI::App& app, std::optional<CadUnit>& unit, const std::string& help, const std::string& group);
+
+// Commands in files of their own.
+void add_compare(CLI::App& app, CompareArguments& compare);
+void add_fit_curve(CLI::App& app, CurveArguments& curve);
+
+}  // namespace knotfit::tool

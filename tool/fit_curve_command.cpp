@@ -1,0 +1,152 @@
+#include <chrono>
+#include <cstdio>
+#include <tuple>
+
+#include "commands.h"
+#include "curve_report.h"
+#include "exit_status.h"
+#include "knotfit/compare.h"
+#include "knotfit/errors.h"
+#include "knotfit/io.h"
+#include "knotfit/parameterize_curve.h"
+#include "knotfit/threads.h"
+#include "signals.h"
+#include "terminal_progress.h"
+namespace knotfit::tool {
+namespace {
+
+constexpr int kCorrections = 20;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+CurveFitOptions curve_options(const CurveArguments& arguments) {
+  const FitChoices& c = arguments.choices;
+  CurveFitOptions options;
+  options.control_points = arguments.control_points;
+  options.knots = arguments.knots;
+  // Of a closed curve the seam is a knot of its own.
+  if (options.knots && arguments.closed) options.knots->insert(options.knots->begin(), 0.0);
+  if (c.tolerance || (options.control_points == 0 && !options.knots)) {
+    const ToleranceValue t = c.tolerance.value_or(ToleranceValue{0.1, true});
+    const MeasureValue m = c.measure.value_or(MeasureValue{});
+    options.tolerance =
+        ToleranceRequest{.value = t.value, .relative = t.relative, .measure = m.measure, .share = m.share};
+  }
+  if (c.knots) options.method = c.knots->method;
+  options.degree = arguments.degree;
+  options.corrections = arguments.corrected ? kCorrections : 0;
+  options.max_control_points = static_cast<Index>(c.max_control_points.value_or(0));
+  options.max_fits = c.max_fits.value_or(0);
+  options.smoothing = c.smoothing.value_or(options.smoothing);
+  options.feature = c.feature.value_or(options.feature);
+  options.evaluations = c.evaluations.value_or(options.evaluations);
+  return options;
+}
+
+CurvePoints read_points(const CurveArguments& arguments) {
+  const FitChoices& c = arguments.choices;
+  ReadOptions read;
+  read.format = c.input.format.value_or("");
+  read.columns = c.input.columns.value_or(std::vector<std::string>{});
+  read.nodata = c.input.nodata;
+  read.places = true;  // x, y alone
+  const SourceData data = read_data(arguments.input, read);
+  try {
+    return curve_points_of(data, c.spacing.value_or(RowSpacing::chord), arguments.closed, arguments.function);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(arguments.input + ": " + e.what());
+  }
+}
+
+/// Method by method, each a row; Ctrl-C keeps those that ended.
+int compare(const CurveArguments& arguments, const CurvePoints& points, const CurveFitOptions& options,
+            const Control& control, TerminalProgress& terminal) {
+  CompareOptions named;
+  named.methods = arguments.compare;
+  named.sizes = {{4, 4}};
+  std::vector<CurveRow> rows;
+  for (const CompareRow& job : comparison_rows(named)) {
+    terminal.report({.stage = job.method});
+    CurveFitOptions one = options;
+    std::tie(one.method, one.feature) = split_method(job.method, options.feature);
+    CurveRow row;
+    row.method = job.method;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      row.result = fit_curve(points, one, control);
+      if (row.result.status == Status::failed) row.failure = row.result.message;
+    } catch (const InvalidInput& e) {
+      row.failure = e.what();
+    }
+    row.seconds = seconds_since(start);
+    if (control.stop.stop_requested()) break;
+    rows.push_back(std::move(row));
+  }
+  terminal.clear();
+  const bool stopped = control.stop.stop_requested();
+  if (arguments.json)
+    print(curve_rows_json(rows, arguments, stopped) + "\n");
+  else if (!arguments.quiet)
+    print(curve_table(rows));
+  return stopped ? kStopped : kReached;
+}
+
+}  // namespace
+
+int run_fit_curve(const CurveArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  for (const OutputFile& file : files) check_curve_output(file);
+  if (!arguments.compare.empty() && !files.empty())
+    throw InvalidInput("--compare prints a table; outputs (-o) are of one curve");
+  StopOnSignal stop;
+  set_thread_count(arguments.threads);
+  TerminalProgress terminal(!arguments.quiet);
+  terminal.report({.stage = "read"});
+  Control control;
+  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
+  control.stop = stop.token();
+  const CurvePoints points = read_points(arguments);
+  const CurveFitOptions options = curve_options(arguments);
+  if (!arguments.compare.empty()) return compare(arguments, points, options, control, terminal);
+
+  CurveFitResult result;
+  try {
+    result = fit_curve(points, options, control);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(arguments.input + ": " + e.what());
+  }
+  terminal.clear();
+  int status = result.status == Status::stopped       ? kStopped
+               : result.status == Status::failed      ? kOther
+               : options.tolerance && !result.reached ? kNotReached
+                                                      : kReached;
+  CurveReport report{.result = result, .points = points, .arguments = arguments};
+  if (result.curve.control_points().empty()) {
+    std::fprintf(stderr, "knotfit: %s\n", result.message.c_str());
+    return status;
+  }
+  // Every file is tried, so that one full disk does not cost the others.
+  for (const OutputFile& file : files) {
+    try {
+      write_curve_output(file, report);
+      report.outputs.push_back(file.path);
+    } catch (const WriteError& e) {
+      std::fprintf(stderr, "knotfit: %s\n", e.what());
+      status = kOther;
+    } catch (const std::exception& e) {
+      std::fprintf(stderr, "knotfit: %s\n", e.what());
+      if (status != kOther) status = kBadInput;
+    }
+  }
+  report.seconds = seconds_since(start);
+  if (arguments.json)
+    print(curve_to_json(report) + "\n");
+  else if (!arguments.quiet)
+    print(curve_to_text(report));
+  return status;
+}
+
+}  // namespace knotfit::tool
