@@ -1,11 +1,14 @@
-// Options as CLI11 takes them: what the files of the command line share. CLI11 is included here alone.
+// Options as CLI11 takes them: what the files of the command line share. They include CLI11 themselves.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "options.h"
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 namespace knotfit::tool {
 
 inline constexpr std::size_t kDescription = 70;  ///< width of descriptions
