@@ -30,8 +30,7 @@ Problem random_problem(Random& random, int degree_u, int degree_v, int interior_
                        bool blocks) {
   const auto knots = [&](int degree, int count) {
     std::vector<double> interior;
-    for (int k = 0; k < count; ++k) interior.push_back(random.uniform(0.02, 0.98));
-    std::sort(interior.begin(), interior.end());
+    for (int k = 0; k < count; ++k) interior.push_back((k + random.uniform(0.2, 0.8)) / count);
     if (count > 2 && degree > 1) interior[1] = interior[0];  // a double knot
     return KnotVector::clamped(degree, interior);
   };
@@ -100,8 +99,8 @@ TEST(TangentSystem, NoOtherControlPointsAreBetter) {
         const double more = objective(p, Surface(p.u, p.v, 3, net));
         net[at] -= 2 * h;
         const double less = objective(p, Surface(p.u, p.v, 3, net));
-        EXPECT_GE(more, least);
-        EXPECT_GE(less, least);
+        EXPECT_GE(more, least * (1 - 1e-12));
+        EXPECT_GE(less, least * (1 - 1e-12));
         EXPECT_NEAR(more, less, 1e-8 * least) << at;
       }
     }
