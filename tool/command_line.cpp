@@ -456,6 +456,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App* parameterize =
       command("parameterize", "Give the vertices of a mesh parameters u, v", Command::parameterize);
   CLI::App* eval = command("eval", "Values, derivatives and differences of a surface", Command::eval);
+  CLI::App* distance =
+      command("distance", "Distances between a surface and points or a mesh", Command::distance);
   CLI::App* info = command("info", "What a surface or a data file holds", Command::info);
   CLI::App* convert = command("convert", "Write a surface or data in another format", Command::convert);
   CLI::App* methods = command("methods", "List the knot placement methods", Command::methods);
@@ -465,12 +467,13 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   add_fit_curve(*fit_curve, line.fit_curve);
   add_parameterize(*parameterize, line.parameterize);
   add_eval(*eval, line.eval);
+  add_distance(*distance, line.distance);
   add_info(*info, line.info);
   add_convert(*convert, line.convert);
   add_list(*methods, line.list);
   add_list(*formats, line.list);
   fit->footer(examples("fit") + "\n" + exit_statuses());
-  for (CLI::App* sub : {compare, fit_curve, parameterize, eval, info, convert})
+  for (CLI::App* sub : {compare, fit_curve, parameterize, eval, distance, info, convert})
     sub->footer(examples(sub->get_name()));
 
   try {

@@ -23,6 +23,7 @@ CLI::Option* add_input(CLI::App& app, const std::string& name, std::string& path
 // Options of several commands.
 void add_input_options(CLI::App& app, InputOptions& input);
 CLI::Option* add_output_options(CLI::App& app, OutputOptions& output, const std::string& what);
+void add_surface_options(CLI::App& app, SurfaceChoices& source);
 void add_threads(CLI::App& app, int& threads);
 void add_data_options(CLI::App& app, FitChoices& choices);
 void add_mesh_options(CLI::App& app, FitChoices& choices);
@@ -32,6 +33,7 @@ void add_unit(CLI::App& app, std::optional<CadUnit>& unit, const std::string& he
 
 // Commands in files of their own.
 void add_compare(CLI::App& app, CompareArguments& compare);
+void add_distance(CLI::App& app, DistanceArguments& distance);
 void add_fit_curve(CLI::App& app, CurveArguments& curve);
 
 }  // namespace knotfit::tool

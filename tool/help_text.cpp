@@ -63,6 +63,9 @@ std::string examples(std::string_view command) {
             "  knotfit parameterize samples/face.obj -o face.png --lines 30\n" +
             "  knotfit parameterize samples/face.obj --corners sharpest --omega 0 --json\n" +
             "  knotfit fit face.csv --tol 5% -o face.json\n";
+  else if (command == "distance")
+    text += face + "  knotfit distance face.json samples/face.obj -o distances.csv\n" +
+            "  knotfit distance face.json samples/face.uv.csv --tol 10% --json\n";
   else if (command == "info")
     text += face + "  knotfit info face.json\n  knotfit info samples/jacksboro.asc --json\n";
   else if (command == "convert")

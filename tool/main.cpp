@@ -27,6 +27,8 @@ int run(const CommandLine& line) {
       return run_parameterize(line.parameterize);
     case Command::eval:
       return run_eval(line.eval);
+    case Command::distance:
+      return run_distance(line.distance);
     case Command::info:
       return run_info(line.info);
     case Command::convert:

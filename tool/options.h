@@ -163,6 +163,17 @@ struct EvalArguments {
   bool json = false;
 };
 
+struct DistanceArguments {
+  std::string surface, data;
+  SurfaceChoices source;
+  std::optional<ToleranceValue> tolerance;
+  int samples = 700;  ///< a direction; 0: the surface to a mesh is not measured
+  InputOptions input;
+  OutputOptions output;
+  int threads = 0;
+  bool quiet = false, json = false;
+};
+
 struct InfoArguments {
   std::string file;
   SurfaceChoices source;
@@ -186,7 +197,7 @@ struct ListArguments {
   bool json = false;
 };
 
-enum class Command { fit, compare, fit_curve, parameterize, eval, info, convert, methods, formats };
+enum class Command { fit, compare, fit_curve, parameterize, eval, distance, info, convert, methods, formats };
 
 struct CommandLine {
   Command command = Command::fit;
@@ -195,6 +206,7 @@ struct CommandLine {
   CurveArguments fit_curve;
   ParameterizeArguments parameterize;
   EvalArguments eval;
+  DistanceArguments distance;
   InfoArguments info;
   ConvertArguments convert;
   ListArguments list;

@@ -11,7 +11,7 @@ namespace {
 
 // Shares of the tangential distance, and how a round's success changes them.
 constexpr double kFirstTangential = 0.3, kLeastTangential = 1e-2, kShrink = 0.6, kGrow = 4;
-constexpr int kBatch = 10;           // rounds between halvings of long edges
+constexpr int kBatch = 6;            // rounds between halvings of long edges
 constexpr double kLongest = 0.6;     // of an edge, in spans
 constexpr double kFoldPenalty = 20;  // merit = RMS (1 + 20 folded)
 constexpr double kMostHinge = 1e4, kHingeGrow = 3, kHingeDecay = 0.7;

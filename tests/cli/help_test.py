@@ -10,7 +10,7 @@ import unittest
 
 from harness import SAMPLES, SOURCE, TOOL, ToolTest
 
-COMMANDS = ["fit", "compare", "fit-curve", "parameterize", "eval", "info", "convert", "methods", "formats"]
+COMMANDS = ["fit", "compare", "fit-curve", "parameterize", "eval", "distance", "info", "convert", "methods", "formats"]
 MAN = SOURCE / "tool" / "man" / "knotfit.1"
 COMPLETION = SOURCE / "tool" / "completion"
 
@@ -89,7 +89,7 @@ class Examples(ToolTest):
     def test_examples_work_as_printed(self):
         (self.folder / "samples").symlink_to(SAMPLES)
         path = f"{os.path.dirname(os.path.abspath(TOOL))}:{os.environ['PATH']}"
-        for command in ([], ["fit"], ["compare"], ["fit-curve"], ["parameterize"], ["eval"], ["info"], ["convert"]):
+        for command in ([], ["fit"], ["compare"], ["fit-curve"], ["parameterize"], ["eval"], ["distance"], ["info"], ["convert"]):
             text = self.run_tool(*command, "--help").stdout
             lines = [line.strip() for line in text.splitlines() if line.startswith("  knotfit ")]
             self.assertGreaterEqual(len(lines), 2, text)

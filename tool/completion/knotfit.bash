@@ -5,7 +5,7 @@ _knotfit() {
   local tool=${COMP_WORDS[0]}
   COMPREPLY=()
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-    case $word in fit | compare | fit-curve | parameterize | eval | info | convert | methods | formats) command=$word; break ;; esac
+    case $word in fit | compare | fit-curve | parameterize | eval | distance | info | convert | methods | formats) command=$word; break ;; esac
   done
 
   case $previous in
@@ -28,7 +28,7 @@ _knotfit() {
   esac
 
   if [[ -z $command ]]; then
-    COMPREPLY=($(compgen -W "fit compare fit-curve parameterize eval info convert methods formats --help --version" -- "$current"))
+    COMPREPLY=($(compgen -W "fit compare fit-curve parameterize eval distance info convert methods formats --help --version" -- "$current"))
     return
   fi
   local input="--input-format --columns --nodata" output="-o --output --force"
@@ -53,6 +53,7 @@ _knotfit() {
     eval)
       options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $surface $input $output
         --json --threads" ;;
+    distance) options="--tol --samples $surface $input $output --json --threads --quiet" ;;
     info) options="$surface $input --json" ;;
     convert) options="$surface $input $output $cad --samples --cell --grid" ;;
     methods | formats) options="--names --json" ;;

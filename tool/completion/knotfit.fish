@@ -1,6 +1,6 @@
 # fish completion for knotfit
 
-set -l commands fit compare fit-curve parameterize eval info convert methods formats
+set -l commands fit compare fit-curve parameterize eval distance info convert methods formats
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -f
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -l version -d 'Print the version'
 complete -c knotfit -s h -l help -d 'Print help'
@@ -9,6 +9,7 @@ complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a compare -d
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a fit-curve -d 'Fit one B-spline curve to ordered points'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a parameterize -d 'Give the vertices of a mesh parameters'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a eval -d 'Values, derivatives and differences of a surface'
+complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a distance -d 'Distances between a surface and points or a mesh'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a info -d 'What a surface or a data file holds'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a convert -d 'Write a surface or data in another format'
 complete -c knotfit -n "not __fish_seen_subcommand_from $commands" -a methods -d 'List the knot placement methods'
@@ -20,31 +21,31 @@ set -l curve "__fish_seen_subcommand_from fit-curve"
 set -l both "__fish_seen_subcommand_from fit compare"
 set -l fits "__fish_seen_subcommand_from fit compare fit-curve"
 set -l eval "__fish_seen_subcommand_from eval"
-set -l read "__fish_seen_subcommand_from fit compare fit-curve eval info convert"
+set -l read "__fish_seen_subcommand_from fit compare fit-curve eval distance info convert"
 set -l mesh "__fish_seen_subcommand_from fit compare parameterize"
 complete -c knotfit -n "__fish_seen_subcommand_from parameterize" -l map -x -a 'newton mean-value' -d 'How a mesh is mapped'
 complete -c knotfit -n "__fish_seen_subcommand_from parameterize" -l lines -x -d 'Parts between the lines of a picture'
-set -l write "__fish_seen_subcommand_from fit compare fit-curve parameterize eval convert"
+set -l write "__fish_seen_subcommand_from fit compare fit-curve parameterize eval distance convert"
 set -l list "__fish_seen_subcommand_from methods formats"
 
-complete -c knotfit -n "__fish_seen_subcommand_from fit compare fit-curve parameterize eval info convert" -l input-format -x -a '(knotfit formats --names)' -d 'Format of the input'
+complete -c knotfit -n "__fish_seen_subcommand_from fit compare fit-curve parameterize eval distance info convert" -l input-format -x -a '(knotfit formats --names)' -d 'Format of the input'
 complete -c knotfit -n $read -l columns -x -d 'What the columns are'
 complete -c knotfit -n $read -l nodata -x -d 'Value that stands for a hole'
 complete -c knotfit -n $write -s o -l output -r -d 'Output file, the format by its extension'
 complete -c knotfit -n $write -l force -d 'Replace output files that exist'
-complete -c knotfit -n "__fish_seen_subcommand_from fit compare fit-curve parameterize eval info methods formats" -l json -d 'JSON on standard output'
-complete -c knotfit -n "__fish_seen_subcommand_from fit compare fit-curve parameterize eval" -l threads -x -d 'Threads'
+complete -c knotfit -n "__fish_seen_subcommand_from fit compare fit-curve parameterize eval distance info methods formats" -l json -d 'JSON on standard output'
+complete -c knotfit -n "__fish_seen_subcommand_from fit compare fit-curve parameterize eval distance" -l threads -x -d 'Threads'
 complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cell -x -d 'Cell size of an .asc output'
 complete -c knotfit -n "__fish_seen_subcommand_from eval convert" -l grid -x -d 'Places over the domain, NxM'
 
 complete -c knotfit -n $read -l unit -x -a 'mm m inch' -d 'Unit of STEP and IGES files'
-complete -c knotfit -n "__fish_seen_subcommand_from eval info convert" -l face -x -d 'Which surface of a STEP or IGES file'
+complete -c knotfit -n "__fish_seen_subcommand_from eval distance info convert" -l face -x -d 'Which surface of a STEP or IGES file'
 complete -c knotfit -n "__fish_seen_subcommand_from fit fit-curve convert" -l name -x -d 'Name of the part'
 complete -c knotfit -n "__fish_seen_subcommand_from fit fit-curve convert" -l step-schema -x -a 'ap214 ap242' -d 'Schema of STEP outputs'
 complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cad-safe -d 'Faces that every CAD system digests'
 complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l cad-tol -x -d 'What --cad-safe may move the surface by'
 
-complete -c knotfit -n "__fish_seen_subcommand_from fit fit-curve" -l tol -x -d 'Largest error allowed, X or X%'
+complete -c knotfit -n "__fish_seen_subcommand_from fit fit-curve distance" -l tol -x -d 'Largest error allowed, X or X%'
 complete -c knotfit -n $fits -l within -x -d 'Share of the points that must hold it'
 complete -c knotfit -n $fits -l rms -d 'The root mean square counts'
 complete -c knotfit -n "__fish_seen_subcommand_from fit fit-curve" -l control-points -x -d 'Fixed size, NxM'
@@ -72,6 +73,8 @@ complete -c knotfit -n $mesh -l omega -x -d 'Weight of the normals in the map'
 complete -c knotfit -n $fit -l new-parameters -d 'Map a mesh anew that has parameters'
 complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l samples -x -d 'Samples a span of a mesh output'
 complete -c knotfit -n $both -l between -x -a 'on off' -d 'Measure between the points'
+complete -c knotfit -n "__fish_seen_subcommand_from distance" -l samples -x -d 'Samples of the surface, along u and v'
+complete -c knotfit -n "__fish_seen_subcommand_from distance" -l quiet -d 'No progress and no summary'
 complete -c knotfit -n $mesh -l quiet -d 'No progress and no summary'
 complete -c knotfit -n $fit -l options -r -d 'Repeat stored options'
 complete -c knotfit -n $fit -l no-height-field -d 'Undo a stored option'

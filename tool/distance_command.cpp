@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "data_conversion.h"
+#include "exit_status.h"
+#include "input.h"
+#include "knotfit/distance.h"
+#include "knotfit/errors.h"
+#include "knotfit/io.h"
+#include "knotfit/threads.h"
+#include "outputs.h"
+#include "sampling.h"
+#include "signals.h"
+#include "surface_file.h"
+#include "terminal_progress.h"
+namespace knotfit::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// x, y, z of every point, n x 3.
+std::vector<double> points_of(const SourceData& data) {
+  const Table table = points_table(data);
+  const std::vector<double>* columns[3] = {};
+  for (std::size_t c = 0; c < table.names.size(); ++c)
+    for (int axis = 0; axis < 3; ++axis)
+      if (table.names[c] == std::string(1, "xyz"[axis])) columns[axis] = &table.columns[c];
+  for (int axis = 0; axis < 3; ++axis)
+    if (columns[axis] == nullptr)
+      throw InvalidInput(fmt::format(
+          "{}: the points have no {}; distances are measured in space (--columns says what the columns are)",
+          data.path, "xyz"[axis]));
+  std::vector<double> points;
+  for (std::size_t k = 0; k < columns[0]->size(); ++k)
+    for (const std::vector<double>* column : columns) points.push_back((*column)[k]);
+  return points;
+}
+
+Surface in_space(const SurfaceDocument& document, const std::string& path) {
+  const ParameterMap& m = document.map;
+  if (document.surface.dimension() == 3) return document.surface;
+  if (document.height_field && document.surface.dimension() == 1)
+    return height_field_in_space(document.surface, m.u0, m.u1, m.v0, m.v1);
+  throw InvalidInput(fmt::format("{}: the surface has {} coordinates; distances are of surfaces in space",
+                                 path, document.surface.dimension()));
+}
+
+double diagonal_of(const std::vector<double>& points) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t k = axis; k < points.size(); k += 3)
+      low = std::min(low, points[k]), high = std::max(high, points[k]);
+    sum += (high - low) * (high - low);
+  }
+  return std::sqrt(sum);
+}
+
+Json to_json(const DistanceSummary& s, const ParameterMap& map) {
+  return {{"count", s.count},
+          {"rms", s.rms},
+          {"max", s.max},
+          {"mean", s.mean},
+          {"signed_mean", s.signed_mean},
+          {"standard_deviation", s.deviation},
+          {"median", s.median},
+          {"p95", s.p95},
+          {"p99", s.p99},
+          {"p995", s.p995},
+          {"worst",
+           {{"index", s.worst},
+            {"at", {map.from_u(s.worst_u), map.from_v(s.worst_v)}},
+            {"point", {s.worst_point[0], s.worst_point[1], s.worst_point[2]}}}}};
+}
+
+std::string to_text(const char* title, const DistanceSummary& s, const ParameterMap& map, double diagonal,
+                    bool with_sign) {
+  std::string text = fmt::format("{}: rms {:.6g}, max {:.6g} at {} = {:.6g}, {} = {:.6g}", title, s.rms,
+                                 s.max, map.name_u, map.from_u(s.worst_u), map.name_v, map.from_v(s.worst_v));
+  if (diagonal > 0)
+    text += fmt::format("\n  of the diagonal: rms {:.4g} %, max {:.4g} %", 100 * s.rms / diagonal,
+                        100 * s.max / diagonal);
+  text += fmt::format("\n  mean {:.6g}, median {:.6g}, 95 % {:.6g}, 99 % {:.6g}, 99.5 % {:.6g}", s.mean,
+                      s.median, s.p95, s.p99, s.p995);
+  if (with_sign)
+    text += fmt::format("\n  signed by the normal: mean {:.6g}, standard deviation {:.6g}", s.signed_mean,
+                        s.deviation);
+  return text + "\n";
+}
+
+std::vector<OutputFile> table_outputs(const DistanceArguments& arguments) {
+  std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.data);
+  for (const OutputFile& file : files)
+    if (file.kind != OutputKind::table) throw InvalidInput(file.path + ": distance writes .csv");
+  return files;
+}
+
+Table table_of_distances(const std::vector<double>& points, const PointDistances& d,
+                         const ParameterMap& map) {
+  Table table;
+  std::vector<double> columns[6];
+  for (std::size_t k = 0; k < d.signed_distances.size(); ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) columns[axis].push_back(points[3 * k + axis]);
+    columns[3].push_back(map.from_u(d.uv[2 * k]));
+    columns[4].push_back(map.from_v(d.uv[2 * k + 1]));
+    columns[5].push_back(d.signed_distances[k]);
+  }
+  const char* names[6] = {"x", "y", "z", "u", "v", "distance"};
+  for (int c = 0; c < 6; ++c) table.add(names[c], std::move(columns[c]));
+  return table;
+}
+
+}  // namespace
+
+int run_distance(const DistanceArguments& arguments) {
+  const std::vector<OutputFile> files = table_outputs(arguments);
+  StopOnSignal stop;  // before the library's threads
+  set_thread_count(arguments.threads);
+  TerminalProgress terminal(!arguments.quiet, 0);
+  terminal.report({.stage = "read"});
+  Control control;
+  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
+  control.stop = stop.token();
+
+  const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
+  const Surface surface = in_space(document, arguments.surface);
+  const SourceData data = read_input(arguments.data, arguments.input);
+  const std::vector<double> points = points_of(data);
+  PointDistances distances;
+  DistanceSummary back;
+  const Mesh* mesh = std::get_if<Mesh>(&data.content);
+  const bool both = mesh != nullptr && arguments.samples > 0;
+  try {
+    distances = point_distances(surface, points, {}, {}, control);
+    if (both && !distances.stopped) back = mesh_distances(surface, *mesh, {}, arguments.samples, control);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(arguments.data + ": " + e.what());
+  }
+  terminal.clear();
+  if (stop.requested() || distances.stopped) return kStopped;
+
+  const double diagonal = diagonal_of(points);
+  double tolerance = 0, within = 1;
+  if (arguments.tolerance) {
+    tolerance = arguments.tolerance->value * (arguments.tolerance->relative ? diagonal / 100 : 1);
+    within = share_within(distances, tolerance);
+  }
+  for (const OutputFile& file : files)
+    write_text_file(file.path, arguments.output.force,
+                    to_csv(table_of_distances(points, distances, document.map)));
+  if (arguments.json) {
+    Json j = {{"surface", arguments.surface},
+              {"data", arguments.data},
+              {"diagonal", diagonal},
+              {"points_to_surface", to_json(distances.summary, document.map)},
+              {"surface_to_mesh", both ? to_json(back, document.map) : Json(nullptr)},
+              {"tolerance", arguments.tolerance ? Json(tolerance) : Json(nullptr)},
+              {"share_within", arguments.tolerance ? Json(within) : Json(nullptr)},
+              {"outputs", arguments.output.paths}};
+    print(j.dump() + "\n");
+  } else if (!arguments.quiet) {
+    std::string text = to_text(fmt::format("{} points to the surface", distances.summary.count).c_str(),
+                               distances.summary, document.map, diagonal, true);
+    if (both)
+      text += to_text(fmt::format("surface to the mesh, from {} samples", back.count).c_str(), back,
+                      document.map, diagonal, false);
+    if (arguments.tolerance)
+      text += fmt::format("within {:.6g}: {:.6g} % of the points\n", tolerance, 100 * within);
+    for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
+    print(text);
+  }
+  return within < 1 ? kNotReached : kReached;
+}
+
+}  // namespace knotfit::tool
