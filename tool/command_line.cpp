@@ -312,6 +312,12 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   add_mesh_options(app, c);
   add_flag(app, "--new-parameters", "Map a mesh anew that has parameters (vt; s, t; u, v)", "Meshes",
            [&] { c.new_parameters = true; });
+  add(app, "--correct", "auto|off|N",
+      "Parameters of a mesh corrected together with the control points, in N rounds; the error is then the "
+      "distance to the surface. Default auto: 30 rounds for a mesh that is mapped, where --control-points or "
+      "knots "
+      "are given",
+      "Meshes", [&](const std::string& t) { c.correct = parse_correct(t); });
   add_output_options(
       app, fit.output,
       "May repeat; by extension: .json the surface, .csv the residuals, .asc or .grd the fitted "

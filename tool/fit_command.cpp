@@ -15,6 +15,7 @@
 #include "mesh_outputs.h"
 #include "options_json.h"
 #include "outputs.h"
+#include "sampling.h"
 #include "signals.h"
 #include "surface_file.h"
 #include "terminal_progress.h"
@@ -62,6 +63,7 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   if (!c.duplicates) c.duplicates = DuplicateRule::fail;
   for (auto* flag : {&c.fill_holes, &c.largest_part, &c.orient, &c.drop_degenerate, &c.new_parameters})
     if (!*flag) *flag = false;
+  if (!c.correct) c.correct = -1;
   if (!c.corners) c.corners = "auto";
   if (!c.samples) c.samples = kSamplesPerSpan;
   return c;
@@ -92,6 +94,18 @@ FitOptions fit_options(const FitChoices& c) {
   return options;
 }
 
+// Rounds of parameter correction; 0: none.
+int correction_rounds(const FitChoices& c, const FitInput& input) {
+  const bool mapped = input.mesh && input.mesh->map, fixed = c.control_points || c.knots->given;
+  if (*c.correct <= 0) return *c.correct < 0 && mapped && fixed ? CorrectionOptions{}.rounds : 0;
+  if (!mapped)
+    throw InvalidInput(
+        "--correct needs a mesh that is mapped: the parameters of other data are kept "
+        "(--new-parameters maps a mesh that has some)");
+  if (!fixed) throw InvalidInput("--correct needs --control-points or knots: sizes are searched without it");
+  return *c.correct;
+}
+
 // The grid of an .asc output, checked before the fit: nothing is found out after minutes.
 Raster output_grid(const FitInput& input, const FitChoices& c) {
   if (!input.points.height_field)
@@ -115,6 +129,24 @@ std::vector<double> residuals_of_every_point(const FitResult& result, const FitI
   return recheck_errors(result.surface, input.all_points);
 }
 
+// Corrected parameters, the distance, the same signed by the normal, and the error at the parameters.
+Table corrected_residuals(const MeshFit& fit) {
+  std::vector<double> columns[8];
+  const std::vector<double> at_parameters = recheck_errors(fit.result.surface, fit.points);
+  for (Index k = 0; k < fit.points.size(); ++k) {
+    for (int c = 0; c < 3; ++c) columns[c].push_back(fit.points.value(k)[c]);
+    columns[3].push_back(fit.points.u(k));
+    columns[4].push_back(fit.points.v(k));
+    columns[5].push_back(fit.result.errors[k]);
+    columns[6].push_back(fit.signed_distances[k]);
+    columns[7].push_back(at_parameters[k]);
+  }
+  Table table;
+  const char* names[] = {"x", "y", "z", "u", "v", "error", "distance", "error_at_parameters"};
+  for (int c = 0; c < 8; ++c) table.add(names[c], std::move(columns[c]));
+  return table;
+}
+
 class FitWriter {
  public:
   FitWriter(const FitReport& report, const Raster& grid, bool force)
@@ -132,6 +164,8 @@ class FitWriter {
                                         .options = options_to_json(report_.choices),
                                         .result = stored_result(report_)}));
       case OutputKind::table: {
+        if (report_.corrected != nullptr)
+          return write_text_file(file.path, force_, to_csv(corrected_residuals(*report_.corrected)));
         const std::vector<double> errors = residuals_of_every_point(result, input);
         return write_file(file.path, force_,
                           [&](std::ostream& out) { write_residuals(out, input.every_point(), errors); });
@@ -223,7 +257,7 @@ int run_fit(const FitArguments& arguments) {
   if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
   control.stop = stop.token();
   control.time_limit = choices.time_limit.value_or(0);
-  const FitInput input = read_fit_input(arguments.input, choices, control);
+  FitInput input = read_fit_input(arguments.input, choices, control);
   for (const OutputFile& file : files) {
     if (file.kind == OutputKind::mesh)
       check_surface_mesh(file, input.points.dimension, input.points.height_field);
@@ -242,9 +276,19 @@ int run_fit(const FitArguments& arguments) {
     control.time_limit =
         std::max(1e-3, control.time_limit -
                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  const int rounds = correction_rounds(choices, input);
   FitResult result;
+  MeshFit corrected;
   try {
-    result = fit_surface(input.points, fit_options(choices), control);
+    if (rounds > 0) {
+      corrected =
+          fit_mesh(input.mesh->mesh, *input.mesh->map, fit_options(choices), {.rounds = rounds}, control);
+      result = corrected.result;
+      input.points = corrected.points;
+      input.all_points = {};
+    } else {
+      result = fit_surface(input.points, fit_options(choices), control);
+    }
   } catch (const InvalidInput& e) {
     throw InvalidInput(arguments.input + ": " + e.what());
   }
@@ -253,6 +297,7 @@ int run_fit(const FitArguments& arguments) {
   FitReport report{.result = result,
                    .input = input,
                    .choices = choices,
+                   .corrected = corrected.signed_distances.empty() ? nullptr : &corrected,
                    .default_tolerance = default_tolerance,
                    .outputs = {}};
   int status = exit_status(result);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "input.h"
+#include "knotfit/fit_mesh.h"
 #include "knotfit/fit_surface.h"
 #include "options.h"
 namespace knotfit::tool {
@@ -12,6 +13,7 @@ struct FitReport {
   const FitResult& result;
   const FitInput& input;
   const FitChoices& choices;       ///< completed
+  const MeshFit* corrected = nullptr;  ///< null: the parameters were taken as they are
   bool default_tolerance = false;  ///< no tolerance, size or knots were given
   double seconds = 0;
   long long peak_memory_bytes = 0;

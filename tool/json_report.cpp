@@ -59,11 +59,40 @@ Json input_of(const FitReport& r) {
   return input;
 }
 
+// What a correction of the parameters left; null without one.
+Json correction_of(const FitReport& r) {
+  if (r.corrected == nullptr) return nullptr;
+  const MeshFit& fit = *r.corrected;
+  const DistanceSummary &v = fit.correction.distance, &back = fit.to_mesh;
+  const FoldReport& folds = fit.correction.folds;
+  Json places = Json::array();
+  for (const FoldPlace& place : folds.places)
+    places.push_back({{"u", place.u}, {"v", place.v}, {"share", place.share}});
+  return {{"rounds", static_cast<Index>(fit.correction.rounds.size()) - 1},
+          {"best_round", fit.correction.best_round},
+          {"signed_mean", number(v.signed_mean)},
+          {"standard_deviation", number(v.deviation)},
+          {"error_at_parameters",
+           {{"rms", number(fit.at_parameters.rms)}, {"max", number(fit.at_parameters.max)}}},
+          {"surface_to_mesh",
+           back.count == 0
+               ? Json(nullptr)
+               : Json{{"rms", number(back.rms)}, {"max", number(back.max)}, {"p995", number(back.p995)}}},
+          {"folds",
+           {{"blurred", folds.blurred},
+            {"raw", folds.raw},
+            {"flipped_triangles", folds.flipped},
+            {"least_sine", number(folds.least_sine)},
+            {"covered", folds.covered},
+            {"places", std::move(places)}}}};
+}
+
 // The members that a second run repeats.
 void add_outcome(Json& j, const FitReport& r) {
   const FitResult& result = r.result;
   const bool measured = result.between.measured;
   j["error"] = error_of(r);
+  j["correction"] = correction_of(r);
   j["between"] = measured ? number(result.between.between) : Json(nullptr);
   j["bound"] = measured ? number(result.between.bound) : Json(nullptr);
   j["thin"] = measured ? number(result.between.thin) : Json(nullptr);

@@ -91,6 +91,7 @@ struct FitChoices {
   std::optional<bool> fill_holes;  ///< of a raster in .asc outputs, of a mesh before it is mapped
   std::optional<bool> largest_part, orient, drop_degenerate, new_parameters;  ///< of meshes
   std::optional<std::string> corners;                                         ///< text of parse_corners
+  std::optional<int> correct;   ///< rounds of parameter correction; 0: off, -1: auto
   std::optional<double> omega;  ///< weight of the normals in the map
   std::optional<int> samples;   ///< a span, of .obj, .ply and .vts outputs
   CadChoices cad;

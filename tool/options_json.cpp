@@ -206,6 +206,10 @@ const std::vector<Row>& table() {
       flag("largest_part", &FitChoices::largest_part, false, "--largest-part"),
       flag("orient", &FitChoices::orient, false, "--orient"),
       flag("drop_degenerate", &FitChoices::drop_degenerate, false, "--drop-degenerate"),
+      row<int>(
+          "correct", &FitChoices::correct, [](const int& n) { return Json(correct_text(n)); },
+          [](const Json& j) { return parse_correct(j.get<std::string>()); },
+          [](const int& n) { return n < 0 ? std::string() : "--correct " + correct_text(n); }),
       flag("new_parameters", &FitChoices::new_parameters, false, "--new-parameters"),
       row<std::string>(
           "corners", &FitChoices::corners, [](const std::string& t) { return Json(t); },

@@ -68,6 +68,27 @@ std::string tolerance_line(const FitReport& r) {
   return line + "\n";
 }
 
+std::string correction_lines(const FitReport& r) {
+  if (r.corrected == nullptr) return "";
+  const MeshFit& fit = *r.corrected;
+  const DistanceSummary& v = fit.correction.distance;
+  const FoldReport& folds = fit.correction.folds;
+  const double diagonal = r.result.diagonal;
+  std::string text = fmt::format(
+      "corrected in {} rounds: errors are distances to the surface, signed mean {:.3g}, standard deviation "
+      "{:.4g}\n"
+      "       at the parameters max {}, rms {}\n",
+      fit.correction.rounds.size() - 1, v.signed_mean, v.deviation,
+      error_text(fit.at_parameters.max, diagonal), error_text(fit.at_parameters.rms, diagonal));
+  if (fit.to_mesh.count > 0)
+    text += fmt::format("surface to mesh: max {}, rms {}\n", error_text(fit.to_mesh.max, diagonal),
+                        error_text(fit.to_mesh.rms, diagonal));
+  return text +
+         fmt::format(
+             "folds: {:.2g} % of the square ({:.2g} % against single triangles), {} triangles turned over\n",
+             100 * folds.blurred, 100 * folds.raw, folds.flipped);
+}
+
 std::string between_line(const BetweenReport& b, double diagonal) {
   if (!b.measured) return "";
   return fmt::format(
@@ -96,6 +117,7 @@ std::string report_to_text(const FitReport& r) {
     text +=
         fmt::format("       rms {}, mean {:.4g}, median {:.4g}, 95 % {:.4g}, 99 % {:.4g}, 99.5 % {:.4g}\n",
                     error_text(e.rms, diagonal), e.mean, e.median, e.p95, e.p99, e.p995);
+    text += correction_lines(r);
     text += tolerance_line(r);
     text += between_line(result.between, diagonal);
   }

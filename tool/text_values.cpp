@@ -218,4 +218,16 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
+int parse_correct(std::string_view text) {
+  if (text == "auto") return -1;
+  if (text == "off") return 0;
+  const long long rounds = parse_count(text, 1);
+  if (rounds > 100000) refuse(text, "auto, off, or a number of rounds up to 100000");
+  return static_cast<int>(rounds);
+}
+
+std::string correct_text(int rounds) {
+  return rounds < 0 ? "auto" : rounds == 0 ? "off" : fmt::format("{}", rounds);
+}
+
 }  // namespace knotfit::tool

@@ -94,4 +94,8 @@ std::string to_text(const MeasureValue& measure);
 /// Extension in lower case with its dot; empty where there is none.
 std::string extension_of(const std::string& path);
 
+/// --correct: auto (-1), off (0) or a number of rounds.
+int parse_correct(std::string_view text);
+std::string correct_text(int rounds);
+
 }  // namespace knotfit::tool

@@ -142,7 +142,9 @@ class Parameterize(MeshTest):
 
 class Fit(MeshTest):
     def test_of_a_mesh(self):
-        report = self.run_json("fit", MASK, "--control-points", "20", "--knots", "uniform", "-o", "mask.json", "-o", "r.csv")
+        report = self.run_json("fit", MASK, "--control-points", "20", "--knots", "uniform", "--correct", "off",
+                               "-o", "mask.json", "-o", "r.csv")
+        self.assertIsNone(report["correction"])
         mesh = report["input"]["mesh"]
         self.assertEqual((mesh["vertices"], mesh["triangles"], mesh["map"]["flipped"]), (1590, 3000, 0))
         # The map's own trial is this fit.
@@ -152,6 +154,51 @@ class Fit(MeshTest):
         text = self.run_tool("fit", MASK, "--control-points", "8").stdout
         for word in ("mesh: 1590 vertices", "map: L2 stretch", "0 flipped", "corners: vertices", "counted from 1"):
             self.assertIn(word, text)
+
+    def test_parameters_are_corrected_at_a_fixed_size(self):
+        size = ("--control-points", "14", "--knots", "uniform")
+        plain = self.run_json("fit", MASK, *size, "--correct", "off")
+        report = self.run_json("fit", MASK, *size, "-o", "s.json", "-o", "r.csv", "-o", "s.svg", "-o", "s.ply")
+        correction = report["correction"]
+        self.assertLess(report["error"]["rms"], 0.5 * plain["error"]["rms"])
+        self.assertEqual(correction["rounds"], 30)
+        self.assertEqual(correction["folds"]["flipped_triangles"], 0)
+        self.assertLessEqual(correction["folds"]["raw"], 0.005)
+        self.assertLess(correction["surface_to_mesh"]["rms"], plain["error"]["rms"])
+        self.assertGreaterEqual(correction["error_at_parameters"]["rms"], report["error"]["rms"])
+        # The table, the report and knotfit distance say the same.
+        header, rows = self.rows("r.csv")
+        names = header.split(",")
+        columns = {name: [float(row[k]) for row in rows] for k, name in enumerate(names)}
+        self.assertEqual(len(rows), 1590)
+        for error, distance, held in zip(columns["error"], columns["distance"], columns["error_at_parameters"]):
+            self.assertEqual(error, abs(distance))
+            self.assertGreaterEqual(held, error * (1 - 1e-9))
+        self.assertAlmostEqual(max(columns["error"]), report["error"]["max"], places=12)
+        distance = self.run_json("distance", "s.json", MASK, "--samples", "0")["points_to_surface"]
+        self.assertAlmostEqual(distance["rms"], report["error"]["rms"], delta=1e-9)
+        self.assertAlmostEqual(distance["max"], report["error"]["max"], delta=1e-9)
+        self.assertAlmostEqual(distance["signed_mean"], correction["signed_mean"], delta=1e-9)
+        # Stored, repeated, undone.
+        again = self.run_json("fit", MASK, "--options", "s.json", "--correct", "3", "-o", "t.json")
+        self.assertEqual(again["correction"]["rounds"], 3)
+        self.assertEqual(self.run_json("fit", MASK, "--options", "t.json")["options"]["correct"], "3")
+
+    def test_a_correction_is_judged_by_the_distance(self):
+        size = ("--control-points", "14", "--knots", "uniform", "--tol", "0.5%")
+        self.run_json("fit", MASK, *size, "--correct", "off", status=3)
+        report = self.run_json("fit", MASK, *size)
+        self.assertTrue(report["reached"])
+        text = self.run_tool("fit", MASK, *size).stdout
+        for word in ("corrected in 30 rounds", "surface to mesh: max", "folds: 0 %", ": reached"):
+            self.assertIn(word, text)
+
+    def test_what_cannot_be_corrected_is_refused(self):
+        self.write_sheet()
+        self.refused("fit", "sheet.obj", "--correct", "5", "--tol", "1%", words=["--correct needs --control-points"])
+        self.refused("fit", "sheet.obj", "--correct", "many", "--control-points", "6", words=["--correct", "whole number"])
+        self.write_points()
+        self.refused("fit", "points.csv", "--correct", "5", "--control-points", "6", words=["needs a mesh"])
 
     def test_holes_are_filled_and_are_no_data(self):
         self.write_sheet(hole=True)

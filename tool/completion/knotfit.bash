@@ -16,6 +16,7 @@ _knotfit() {
     --feature) COMPREPLY=($(compgen -W "hessian curvature derivative residual" -- "$current")); return ;;
     --spacing) COMPREPLY=($(compgen -W "chord centripetal uniform" -- "$current")); return ;;
     --map) COMPREPLY=($(compgen -W "newton mean-value" -- "$current")); return ;;
+    --correct) COMPREPLY=($(compgen -W "auto off" -- "$current")); return ;;
     --corners) COMPREPLY=($(compgen -W "auto sharpest search" -- "$current")); return ;;
     --duplicates) COMPREPLY=($(compgen -W "fail mean lowest highest" -- "$current")); return ;;
     --unit) COMPREPLY=($(compgen -W "mm m inch" -- "$current")); return ;;
@@ -38,7 +39,7 @@ _knotfit() {
     fit)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
         --knots --knots-u --knots-v --knots-from --refine --feature --evaluations --smoothing $input --height-field
-        --spacing --rescale-parameters --duplicates $mesh --new-parameters $output --samples --unit $cad --cell --json --between
+        --spacing --rescale-parameters --duplicates $mesh --new-parameters --correct $output --samples --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
         --no-orient --no-drop-degenerate --no-new-parameters --no-cad-safe" ;;
     compare)

@@ -1,0 +1,119 @@
+#include "knotfit/fit_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "knotfit/errors.h"
+#include "pipeline/message.h"
+namespace knotfit {
+namespace {
+
+/// What a user should know of the corrected surface.
+void add_notes(MeshFit& fit) {
+  const FoldReport& folds = fit.correction.folds;
+  std::vector<std::string>& notes = fit.result.notes;
+  if (folds.blurred > 1e-3 || folds.raw > 5e-3) {
+    std::string note =
+        fmt::format("the surface folds over {:.2g} % of the square (against single triangles {:.2g} %)",
+                    100 * folds.blurred, 100 * folds.raw);
+    if (!folds.places.empty())
+      note += fmt::format(", most at u = {:.4g}, v = {:.4g}", folds.places[0].u, folds.places[0].v);
+    notes.push_back(note + ": more control points, or --correct off, leave less of it");
+  }
+  if (folds.flipped > 0)
+    notes.push_back(
+        fmt::format("{} parameter triangles are turned over or flat, as they were", folds.flipped));
+  if (fit.to_mesh.count > 0 && fit.to_mesh.rms > 2 * fit.correction.distance.rms)
+    notes.push_back(fmt::format(
+        "between the vertices the surface is farther from the mesh (RMS {:.3g}, max {:.3g}) than the "
+        "vertices are from it: the facets are coarse for this surface",
+        fit.to_mesh.rms, fit.to_mesh.max));
+  if (fit.correction.status == CorrectionStatus::no_gain)
+    notes.push_back("no round of the correction came nearer than the plain fit, which is kept");
+}
+
+/// The distances in place of the errors at the map's parameters. \return false where the check fails
+bool take_distances(MeshFit& fit, const Mesh& mesh) {
+  FitResult& r = fit.result;
+  const CorrectionResult& c = fit.correction;
+  r.surface = c.surface;
+  fit.points = mesh_points(mesh, c.uv);
+  ParameterizedPoints feet = fit.points;
+  r.errors.clear();
+  Index at = 0;
+  for (Index k = 0; k < mesh.vertex_count(); ++k) {
+    if (std::isnan(c.signed_distances[k])) continue;
+    fit.signed_distances.push_back(c.signed_distances[k]);
+    r.errors.push_back(std::abs(c.signed_distances[k]));
+    std::copy_n(&c.foot_points[2 * k], 2, &feet.uv[2 * at++]);
+  }
+  fit.at_parameters = summarize_errors(recheck_errors(r.surface, fit.points), fit.points);
+  r.error = summarize_errors(r.errors, feet);
+  // De Boor's algorithm at the foot points must find the same distances.
+  const std::vector<double> rechecked = recheck_errors(r.surface, feet);
+  r.recheck_difference = 0;
+  bool sound = true;
+  for (std::size_t k = 0; k < rechecked.size(); ++k) {
+    sound = sound && std::isfinite(rechecked[k]);
+    r.recheck_difference = std::max(r.recheck_difference, std::abs(rechecked[k] - r.errors[k]));
+  }
+  return sound && r.recheck_difference <= 1e-10 * r.diagonal + 64 * 2.3e-16 * r.surface.scale();
+}
+
+}  // namespace
+
+MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,
+                 const CorrectionOptions& correction, const Control& control) {
+  if (!options.knots && options.control_points_u == 0 && options.control_points_v == 0)
+    throw InvalidInput(
+        "a correction of the parameters needs a number of control points or knots; sizes are searched "
+        "without it");
+  const auto start = std::chrono::steady_clock::now();
+  MeshFit fit;
+  FitOptions plain = options;
+  plain.between = false;
+  fit.result = fit_surface(mesh_points(mesh, map.uv), plain, control);
+  fit.points = mesh_points(mesh, map.uv);
+  FitResult& r = fit.result;
+  if (r.surface.empty() || r.status == Status::failed) return fit;
+  CorrectionOptions how = correction;
+  how.smoothing = options.smoothing;
+  if (options.tolerance && options.tolerance->measure == ErrorMeasure::max && correction.reweighting == 0.1)
+    how.reweighting = 1;  // the maximum counts
+  Control rest = control;
+  if (control.time_limit > 0)
+    rest.time_limit =
+        std::max(1e-3, control.time_limit -
+                           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  fit.correction = correct_parameters(mesh, map, r.surface.knots_u(), r.surface.knots_v(), how, rest);
+  if (fit.correction.status == CorrectionStatus::singular) {
+    r.notes.push_back("the control points of the correction could not be solved for: the plain fit is kept");
+    return fit;
+  }
+  if (!take_distances(fit, mesh)) {
+    r.status = Status::failed;
+    r.message = fmt::format(
+        "the surface failed its own check: distances measured apart from the correction differ by {:.3g}",
+        r.recheck_difference);
+    return fit;
+  }
+  r.least_squares = false;
+  r.condition = 0;
+  r.measured = options.tolerance ? measured_error(r.errors, r.asked) : r.error.max;
+  r.reached = options.tolerance && r.measured <= r.tolerance;
+  const bool cut = fit.correction.status == CorrectionStatus::stopped;
+  if (cut)
+    r.status = control.stop.stop_requested() ? Status::stopped : Status::time_limit;
+  else if (options.tolerance && r.status != Status::stopped && r.status != Status::time_limit)
+    r.status = r.reached ? Status::reached : Status::not_reached;
+  r.fits += static_cast<long>(fit.correction.rounds.size());
+  if (!control.stop.stop_requested()) fit.to_mesh = mesh_distances(r.surface, mesh, fit.correction.uv, 300);
+  add_notes(fit);
+  r.message = message_of(r, fit.points.size());
+  return fit;
+}
+
+}  // namespace knotfit

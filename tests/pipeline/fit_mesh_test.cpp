@@ -1,0 +1,98 @@
+#include "knotfit/fit_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "knotfit/errors.h"
+#include "parameterize/mesh_support.h"
+#include "support/expect_throw.h"
+namespace knotfit {
+namespace {
+
+using namespace test;
+
+struct Mapped {
+  Mesh mesh;
+  MeshMap map;
+};
+
+const Mapped& ridge() {
+  static const Mapped m = [] {
+    const auto z = [](double x, double y) { return 0.3 / (1 + std::exp(-25 * (x + 0.3 * y - 0.6))); };
+    Mapped r{sheet(30, 30, 1, 1, z, 0.3), {}};
+    r.map = parameterize_mesh(r.mesh, {.corners = CornerRule::sharpest, .omega = 0, .newton = false});
+    return r;
+  }();
+  return m;
+}
+
+FitOptions at_size(int size, double tolerance = 0) {
+  FitOptions options;
+  options.control_points_u = options.control_points_v = size;
+  options.method = "uniform";
+  options.between = false;
+  if (tolerance > 0) options.tolerance = ToleranceRequest{.value = tolerance};
+  return options;
+}
+
+TEST(FitMesh, ItsErrorsAreDistancesToTheSurface) {
+  const MeshFit fit = fit_mesh(ridge().mesh, ridge().map, at_size(10));
+  EXPECT_EQ(fit.result.status, Status::fixed_size);
+  const PointDistances d = point_distances(fit.result.surface, ridge().mesh.vertices);
+  ASSERT_EQ(fit.result.errors.size(), d.signed_distances.size());
+  for (std::size_t k = 0; k < d.signed_distances.size(); ++k) {
+    EXPECT_NEAR(fit.result.errors[k], std::abs(d.signed_distances[k]), 1e-9);
+    EXPECT_EQ(fit.result.errors[k], std::abs(fit.signed_distances[k]));
+  }
+  EXPECT_NEAR(fit.result.error.max, d.summary.max, 1e-9);
+  EXPECT_LE(fit.result.error.rms, fit.at_parameters.rms * (1 + 1e-12));
+  EXPECT_GT(fit.to_mesh.count, 0);
+  EXPECT_FALSE(fit.result.least_squares);
+  const FitResult plain = fit_surface(mesh_points(ridge().mesh, ridge().map.uv), at_size(10));
+  EXPECT_LT(fit.result.error.rms, 0.5 * plain.error.rms);
+}
+
+TEST(FitMesh, TheDistanceIsWhatAToleranceIsHeldBy) {
+  const double reached = fit_mesh(ridge().mesh, ridge().map, at_size(10, 1)).result.measured;
+  const MeshFit holds = fit_mesh(ridge().mesh, ridge().map, at_size(10, 1.01 * reached));
+  const MeshFit fails = fit_mesh(ridge().mesh, ridge().map, at_size(10, 0.99 * reached));
+  EXPECT_EQ(holds.result.status, Status::reached);
+  EXPECT_TRUE(holds.result.reached);
+  EXPECT_EQ(fails.result.status, Status::not_reached);
+  EXPECT_FALSE(fails.result.reached);
+  EXPECT_NE(holds.result.message.find("hold the tolerance"), std::string::npos);
+}
+
+TEST(FitMesh, SaysWhereTheFacetsAreCoarse) {
+  const auto z = [](double x, double y) { return 0.4 * std::sin(9 * x) * std::cos(7 * y); };
+  const Mesh mesh = sheet(10, 10, 1, 1, z);
+  const MeshMap map = parameterize_mesh(mesh, {.corners = CornerRule::sharpest, .omega = 0, .newton = false});
+  const MeshFit fit = fit_mesh(mesh, map, at_size(9));
+  bool said = false;
+  for (const std::string& note : fit.result.notes)
+    said = said || note.find("facets are coarse") != std::string::npos;
+  EXPECT_EQ(said, fit.to_mesh.rms > 2 * fit.correction.distance.rms);
+  EXPECT_TRUE(said);
+}
+
+TEST(FitMesh, StopsWithAJudgedSurface) {
+  std::stop_source stop;
+  Control control;
+  control.stop = stop.get_token();
+  control.progress = [&](const Progress& p) {
+    if (p.stage == "correction" && p.fraction > 0.1) stop.request_stop();
+  };
+  const MeshFit fit = fit_mesh(ridge().mesh, ridge().map, at_size(10), {}, control);
+  EXPECT_EQ(fit.result.status, Status::stopped);
+  EXPECT_FALSE(fit.result.surface.empty());
+  EXPECT_GT(fit.result.error.rms, 0);
+}
+
+TEST(FitMesh, RefusesASearch) {
+  FitOptions options;
+  options.tolerance = ToleranceRequest{.value = 1e-3};
+  expect_throw<InvalidInput>([&] { fit_mesh(ridge().mesh, ridge().map, options); },
+                             "needs a number of control points");
+}
+
+}  // namespace
+}  // namespace knotfit
