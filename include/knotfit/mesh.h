@@ -15,7 +15,7 @@ struct Mesh {
       faces;                                  ///< corners, counted from 0, counter-clockwise from outside
   std::vector<double> uv;                     ///< n x 2 where the file gave parameters; else empty
   std::vector<Index> vertex_line, face_line;  ///< line in the file, from 1; empty: binary, index
-  std::vector<Index> face_source;             ///< face of the file each triangle came from; empty: itself
+  std::vector<std::int32_t> face_source;      ///< face of the file each triangle came from; empty: itself
   std::vector<Index> vertex_source;           ///< likewise of vertices, after a repair; -1: added
   Index counted_from = 0;                     ///< number of the file's first face and vertex: 1 for OBJ
   std::vector<char> virtual_face;             ///< 1: closes a hole; empty: none

@@ -102,10 +102,10 @@ std::vector<Index> drop_unused_vertices(Mesh& mesh) {
 }  // namespace
 
 void name_sources(Mesh& mesh) {
-  const auto fill = [](std::vector<Index>& source, std::size_t n) {
+  const auto fill = [](auto& source, std::size_t n) {
     if (!source.empty()) return;
     source.resize(n);
-    std::iota(source.begin(), source.end(), Index{0});
+    std::iota(source.begin(), source.end(), 0);
   };
   fill(mesh.face_source, mesh.faces.size());
   fill(mesh.vertex_source, static_cast<std::size_t>(mesh.vertex_count()));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,6 +13,9 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr Index kMost = std::numeric_limits<std::int32_t>::max() / 3 - 1;
+// Up to as many, faces without sense are left to the check of the mesh; more would fill the memory first, since
+// a corner of one byte makes a triangle of sixteen.
+constexpr Index kMany = 1000000;
 
 }  // namespace
 
@@ -19,12 +23,13 @@ MeshBuilder::MeshBuilder(const FileBytes& file, Index counted_from) : file_(file
   mesh_.counted_from = counted_from;
 }
 
-void MeshBuilder::reserve(Index vertices, Index faces, bool lines) {
+void MeshBuilder::reserve(Index vertices, Index triangles, bool lines) {
+  triangles = std::clamp<Index>(triangles, 0, kMost);
   mesh_.vertices.reserve(static_cast<std::size_t>(3 * vertices));
-  mesh_.faces.reserve(static_cast<std::size_t>(faces));
+  mesh_.faces.reserve(static_cast<std::size_t>(triangles));
   if (!lines) return;
   mesh_.vertex_line.reserve(static_cast<std::size_t>(vertices));
-  mesh_.face_line.reserve(static_cast<std::size_t>(faces));
+  mesh_.face_line.reserve(static_cast<std::size_t>(triangles));
 }
 
 void MeshBuilder::fail(Index line, const std::string& message) const {
@@ -47,7 +52,7 @@ void MeshBuilder::check_corners(Index count, Index vertices, Index line) const {
                            faces_ + mesh_.counted_from, mesh_.counted_from, count, vertices));
 }
 
-void MeshBuilder::add_face(std::span<const std::int32_t> corners, Index line) {
+void MeshBuilder::add_face(std::span<const std::int32_t> corners, Index line, Index vertices) {
   if (corners.size() < 3)
     fail(line, fmt::format("face {} (counted from {}) has {} corner{}; a face has three or more",
                            faces_ + mesh_.counted_from, mesh_.counted_from, corners.size(),
@@ -55,12 +60,21 @@ void MeshBuilder::add_face(std::span<const std::int32_t> corners, Index line) {
   const std::size_t triangles = corners.size() - 2;
   if (mesh_.face_count() + static_cast<Index>(triangles) > kMost)
     fail(line, fmt::format("more than {} triangles", kMost));
-  if (triangles > 1 && mesh_.face_source.empty())
-    for (Index f = 0; f < faces_; ++f) mesh_.face_source.push_back(f);
+  if (const Index total = mesh_.face_count() + static_cast<Index>(triangles);
+      total > kMany &&
+      static_cast<double>(total) > static_cast<double>(vertices) * static_cast<double>(vertices - 1) / 3)
+    fail(line,
+         fmt::format("face {} (counted from {}) is triangle {} on {} vertices: some edge has more than two "
+                     "faces; such a mesh is no surface",
+                     faces_ + mesh_.counted_from, mesh_.counted_from, total, vertices));
+  if (triangles > 1 && mesh_.face_source.empty()) {
+    mesh_.face_source.reserve(mesh_.faces.capacity());
+    for (Index f = 0; f < faces_; ++f) mesh_.face_source.push_back(static_cast<std::int32_t>(f));
+  }
   const bool sources = triangles > 1 || !mesh_.face_source.empty();
   for (std::size_t k = 0; k < triangles; ++k) {
     mesh_.faces.push_back({corners[0], corners[k + 1], corners[k + 2]});
-    if (sources) mesh_.face_source.push_back(faces_);
+    if (sources) mesh_.face_source.push_back(static_cast<std::int32_t>(faces_));
     if (line > 0) mesh_.face_line.push_back(line);
   }
   ++faces_;

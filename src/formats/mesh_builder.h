@@ -16,15 +16,17 @@ class MeshBuilder {
   MeshBuilder(const FileBytes& file, Index counted_from);
 
   /// Room for as many; call it only once the file's size can hold them.
-  void reserve(Index vertices, Index faces, bool lines);
+  void reserve(Index vertices, Index triangles, bool lines);
   /// \param line  in the file, from 1; 0: binary
   /// \throws FileError  not finite
   void add_vertex(const double* xyz, Index line);
   /// \throws FileError  the face about to be added has more corners than the file vertices
   void check_corners(Index count, Index vertices, Index line) const;
   /// \param corners  counted from 0
-  /// \throws FileError  fewer than three
-  void add_face(std::span<const std::int32_t> corners, Index line);
+  /// \throws FileError  fewer than three; a million triangles on so few vertices that edges must be shared by more
+  ///   than two of them
+  /// \param vertices  there are in the file
+  void add_face(std::span<const std::int32_t> corners, Index line, Index vertices);
   /// Parameters of every vertex in order, or of the vertices that faces name one by one.
   void add_parameters(double u, double v);
   /// A corner's own parameters: kept where all corners of each vertex agree, else dropped as a whole.

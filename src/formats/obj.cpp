@@ -64,7 +64,7 @@ class ObjReader {
       throw FileError(file_.path(), fmt::format("is not an OBJ mesh: it has no vertex (v) line{}",
                                                 kind.empty() ? "" : " and begins like " + kind));
     }
-    builder_.reserve(vertices_, faces_, true);
+    builder_.reserve(vertices_, triangles_, true);
     uv_.reserve(static_cast<std::size_t>(2 * parameters_));
     read_vertices();
     // Points with as many parameters: one each.
@@ -87,6 +87,7 @@ class ObjReader {
         ++parameters_;
       } else if (word == "f" || word == "fo") {
         ++faces_;
+        triangles_ += std::max<Index>(count_numbers(rest) - 2, 0);
       } else if (!word.empty() && kIgnored.find(fmt::format(" {} ", word)) == std::string_view::npos) {
         throw FileError(file_.path(), static_cast<long long>(line.number),
                         fmt::format("{} is no keyword of an OBJ file", in_quotes(word)));
@@ -140,7 +141,7 @@ class ObjReader {
                                        uv_[2 * static_cast<std::size_t>(t) + 1]);
       }
       builder_.check_corners(static_cast<Index>(corners.size()), vertices_, line.number);
-      builder_.add_face(corners, line.number);
+      builder_.add_face(corners, line.number, vertices_);
     }
   }
 
@@ -164,7 +165,7 @@ class ObjReader {
   const FileBytes& file_;
   std::string_view text_;
   MeshBuilder builder_;
-  Index vertices_ = 0, parameters_ = 0, faces_ = 0;
+  Index vertices_ = 0, parameters_ = 0, faces_ = 0, triangles_ = 0;
   std::vector<double> uv_;  // of vt lines
 };
 

@@ -35,8 +35,9 @@ class OffReader {
     // "0 0 0" and a line end, "3 0 1 2" and a line end.
     check_claim(file_, vertices_, "vertices", 6, lines_.left());
     check_claim(file_, faces_, "faces", 8, lines_.left());
-    builder_.reserve(vertices_, faces_, true);
+    builder_.reserve(vertices_, 0, true);
     for (Index k = 0; k < vertices_; ++k) read_vertex(k);
+    builder_.reserve(0, count_numbers(lines_.rest()) - 3 * faces_, true);
     for (Index k = 0; k < faces_; ++k) read_face(k);
     if (next(line)) fail(line, fmt::format("data after the last of {} faces", faces_));
     if (faces_ == 0) return {file_.path(), "off", builder_.points()};
@@ -132,7 +133,7 @@ class OffReader {
     for (Index i = 0; i < n; ++i)
       corners_.push_back(builder_.corner(numbers.number(), vertices_, line.number));
     // A colour may follow, of any kind.
-    builder_.add_face(corners_, line.number);
+    builder_.add_face(corners_, line.number, vertices_);
   }
 
   const FileBytes& file_;

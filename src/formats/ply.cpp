@@ -147,7 +147,7 @@ class PlyReader {
     if (corners == properties.end())
       throw FileError(file_.path(), "the faces have no list property vertex_indices or vertex_index");
     check_claim(file_, face_->count, "faces", 0, 0);
-    builder_.reserve(0, face_->count, text());
+    builder_.reserve(0, rows_->triangles(*face_, *corners, vertex_->count), text());
     std::vector<std::int32_t> face;
     std::vector<double> uv;
     for (Index row = 0; row < face_->count; ++row) {
@@ -168,7 +168,7 @@ class PlyReader {
         }
       }
       rows_->end_row();
-      builder_.add_face(face, rows_->line());
+      builder_.add_face(face, rows_->line(), vertex_->count);
       if (uv.size() == 2 * face.size())
         for (std::size_t k = 0; k < face.size(); ++k)
           if (std::isfinite(uv[2 * k]) && std::isfinite(uv[2 * k + 1]))

@@ -54,6 +54,27 @@ class BinaryRows : public PlyRows {
     if (end_ - at_ < type.size * count) throw FileError(file_.path(), ending(row_));
     at_ += type.size * count;
   }
+  Index triangles(const PlyElement& element, const PlyProperty& corners, Index most) const override {
+    const char* at = at_;
+    Index found = 0;
+    for (Index row = 0; row < element.count; ++row)
+      for (const PlyProperty& p : element.properties) {
+        Index count = 1;
+        if (p.list) {
+          if (end_ - at < p.count_type.size) return found;
+          const double claimed = number_loader(p.count_type, big_endian_)(at);
+          at += p.count_type.size;
+          if (!(claimed >= 0 && claimed * p.type.size <= static_cast<double>(end_ - at))) return found;
+          count = static_cast<Index>(claimed);
+        }
+        if (end_ - at < count * p.type.size) return found;
+        at += count * p.type.size;
+        if (&p != &corners) continue;
+        if (count > most) return found;
+        found += std::max<Index>(count - 2, 0);
+      }
+    return found;
+  }
   void end_row() override {}
   void end_file() override {
     // Some writers end binary data with a line end.
@@ -131,6 +152,9 @@ class TextRows : public PlyRows {
   }
   void skip(NumberType type, Index count) override {
     for (Index k = 0; k < count; ++k) next(type);
+  }
+  Index triangles(const PlyElement& element, const PlyProperty&, Index) const override {
+    return std::max<Index>(count_numbers(lines_.rest()) - 3 * element.count, 0);
   }
   void end_row() override {
     if (skip_blanks(at_, end_) != end_) fail("the line has more numbers than the header says");

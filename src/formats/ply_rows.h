@@ -17,6 +17,10 @@ class PlyRows {
   virtual Index next_count(const PlyProperty& list) = 0;
   /// Leaves out the next `count` numbers.
   virtual void skip(NumberType type, Index count) = 0;
+  /// Triangles in the element's rows, by the corners of its list `corners`: at least as many as there are, a few
+  /// more where a text's rows hold other numbers too. Moves nothing; a damaged row, or one of more corners than
+  /// `most`, ends the count.
+  virtual Index triangles(const PlyElement& element, const PlyProperty& corners, Index most) const = 0;
   virtual void end_row() = 0;
   /// \throws FileError  data after the last element
   virtual void end_file() = 0;

@@ -117,7 +117,7 @@ SourceData read_binary(const FileBytes& file) {
       }
       corner = welder.vertex(xyz, 0);
     }
-    builder.add_face(corners, 0);
+    builder.add_face(corners, 0, builder.vertex_count());
   }
   return {file.path(), "stl", builder.finish()};
 }
@@ -182,7 +182,7 @@ class TextReader {
     }
     expect("endloop");
     expect("endfacet");
-    builder_.add_face(corners, line);
+    builder_.add_face(corners, line, builder_.vertex_count());
   }
 
   const FileBytes& file_;

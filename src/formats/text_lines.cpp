@@ -32,6 +32,17 @@ bool LineReader::next(TextLine& line) {
   return true;
 }
 
+Index count_numbers(std::string_view text) {
+  Index count = 0;
+  bool before = false;
+  for (const char c : text) {
+    const bool in_word = c != ' ' && c != '\t' && c != '\n' && c != '\r';
+    count += in_word && !before;
+    before = in_word;
+  }
+  return count;
+}
+
 std::string_view text_of(const FileBytes& file) {
   std::string_view text = file.view();
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))

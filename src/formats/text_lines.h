@@ -33,12 +33,16 @@ class LineReader {
   bool next(TextLine& line);
   /// Bytes not yet read.
   std::size_t left() const { return rest_.size(); }
+  std::string_view rest() const { return rest_; }
 
  private:
   std::string_view rest_;
   Index number_ = 0;
   char end_ = '\n';
 };
+
+/// Words of a text, parted by blanks and line ends.
+Index count_numbers(std::string_view text);
 
 /// The text of a file after its byte order mark.
 /// \throws FileError  not text (a zero byte), or UTF-16

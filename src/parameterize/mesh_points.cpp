@@ -42,7 +42,7 @@ Mesh halve_edges(const Mesh& mesh, const std::vector<std::array<Index, 2>>& edge
       halved.faces.push_back(beside_b);
       if (!halved.virtual_face.empty()) halved.virtual_face.push_back(char{halved.virtual_face[f]});
       if (!halved.face_line.empty()) halved.face_line.push_back(Index{halved.face_line[f]});
-      if (!halved.face_source.empty()) halved.face_source.push_back(Index{halved.face_source[f]});
+      if (!halved.face_source.empty()) halved.face_source.push_back(std::int32_t{halved.face_source[f]});
     }
     if (!found) throw InvalidInput(fmt::format("no face has an edge from vertex {} to vertex {}", a, b));
     for (int c = 0; c < 3; ++c)

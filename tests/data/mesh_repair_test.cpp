@@ -156,7 +156,7 @@ TEST(MeshRepair, ACapGivesItsCornerToTheFaceBeyond) {
   EXPECT_EQ(out.mesh.face_count(), 4);
   EXPECT_NO_THROW(require_disk(out.mesh));
   EXPECT_NEAR(area(out.mesh), 2, 1e-15);
-  EXPECT_EQ(out.mesh.face_source, (std::vector<Index>{0, 1, 3, 3}));
+  EXPECT_EQ(out.mesh.face_source, (std::vector<std::int32_t>{0, 1, 3, 3}));
 }
 
 TEST(MeshRepair, ACapAtTheBorderJustGoes) {

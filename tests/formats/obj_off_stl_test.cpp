@@ -25,7 +25,7 @@ TEST(ObjReader, VerticesAndFaces) {
 TEST(ObjReader, PolygonsNegativeNumbersAndJoinedLines) {
   const Mesh m = mesh("a.obj", kSquare + "f -4 -3 \\\n -2 -1\nv 9 9 9\nf -5 2 -1 # the last so far\n");
   EXPECT_EQ(m.faces, (Faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}}));
-  EXPECT_EQ(m.face_source, (std::vector<Index>{0, 0, 1}));
+  EXPECT_EQ(m.face_source, (std::vector<std::int32_t>{0, 0, 1}));
 }
 
 TEST(ObjReader, ParametersWhereEachVertexHasOne) {

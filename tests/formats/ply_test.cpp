@@ -79,7 +79,7 @@ TEST(PlyReader, AnyPropertyOrderAndTypeInEveryEncoding) {
 TEST(PlyReader, PolygonsBecomeFansThatNameTheirFace) {
   const Mesh m = mesh(ascii(kVertex + kFace, kSquare + "4 0 1 2 3\n3 0 1 2\n"));
   EXPECT_EQ(m.faces, (std::vector<std::array<std::int32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
-  EXPECT_EQ(m.face_source, (std::vector<Index>{0, 0, 1}));
+  EXPECT_EQ(m.face_source, (std::vector<std::int32_t>{0, 0, 1}));
   EXPECT_EQ(m.face_line, (std::vector<Index>{14, 14, 15}));
 }
 
