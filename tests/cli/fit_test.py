@@ -95,7 +95,7 @@ class ExitStatus(ToolTest):
 
 
 class Report(ToolTest):
-    MEMBERS = ["size", "control_points", "degree", "knots", "error", "between", "bound", "thin", "tolerance", "measured",
+    MEMBERS = ["size", "control_points", "degree", "knots", "error", "correction", "between", "bound", "thin", "tolerance", "measured",
                "reached", "status", "message", "method", "condition", "noise", "fits", "seconds", "peak_memory_bytes",
                "input", "options", "notes", "outputs", "version"]
 
