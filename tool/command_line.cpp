@@ -129,10 +129,10 @@ void add_tolerance_options(CLI::App& app, FitChoices& c) {
       group, [&](const std::string& t) {
         c.control_points = t == "search" ? IntegerPair{0, 0} : parse_pair(t, 2);
       });
-  add(app, "--degree", "D|DxE", "Degree along u and v, 1 to 9; default 3", group, [&](const std::string& t) {
-    c.degree = parse_pair(t, 1);
-    if (c.degree->first > kMaxDegree || c.degree->second > kMaxDegree) refuse(t, "a degree from 1 to 9");
-  });
+  add(app, "--degree", "D|DxE|auto",
+      "Degree along u and v, 1 to 9; default 3. auto: 3, 4 and 5 are tried, and the fewest control points "
+      "win",
+      group, [&](const std::string& t) { c.degree = parse_degree(t); });
   add(app, "--max-control-points", "N",
       "Most control points; default: half of the points, for scattered "
       "data at most 50000",
@@ -155,8 +155,8 @@ void add_knot_options(CLI::App& app, FitArguments& fit) {
   FitChoices& c = fit.choices;
   CLI::Option* method =
       add(app, "--knots", "METHOD",
-          "How knots are placed (knotfit methods says more): " + method_names() + "; default error-model",
-          group, [&](const std::string& t) { c.knots = KnotSource{.method = t, .given = std::nullopt}; });
+          "How knots are placed (knotfit methods says more): " + method_names() + "; default optimal", group,
+          [&](const std::string& t) { c.knots = KnotSource{.method = t, .given = std::nullopt}; });
   const auto given = [&c]() -> InteriorKnots& {
     if (!c.knots || !c.knots->given) c.knots = KnotSource{.method = "", .given = InteriorKnots{}};
     return *c.knots->given;
@@ -182,6 +182,14 @@ void add_knot_options(CLI::App& app, FitArguments& fit) {
           "each (search, default), or knot lines inserted where features or errors are large (insert)",
           group, [&](const std::string& t) { c.refine = parse_named(kRoutes, t); });
   for (CLI::Option* option : {u, v, from, size}) refine->excludes(option);
+  add(app, "--effort", one_of(kEfforts),
+      "Work of a search with optimal knots, counted in fits: fast (no minimax), balanced (default), best "
+      "(every "
+      "start, every neighbouring size, and the smaller of both routes)",
+      group, [&](const std::string& t) { c.effort = parse_named(kEfforts, t); });
+  add(app, "--guard", one_of(kSwitch),
+      "Hold a search with optimal knots to the data between its points too; default on", group,
+      [&](const std::string& t) { c.guard = parse_named(kSwitch, t); });
   add(app, "--feature", one_of(kFeatures),
       "Feature measure of the criterion and of insertion; default hessian", group,
       [&](const std::string& t) { c.feature = parse_named(kFeatures, t); });

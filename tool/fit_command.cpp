@@ -47,13 +47,15 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   }
   if (!arguments.options_from.empty()) add_stored_options(c, arguments.options_from);
   if (c.control_points && c.control_points->first == 0) c.control_points.reset();
-  if (!c.knots) c.knots = KnotSource{"error-model", std::nullopt};
+  if (!c.knots) c.knots = KnotSource{FitOptions{}.method, std::nullopt};
   if (!c.knots->given) check_method(c.knots->method);
   default_tolerance = !c.tolerance && !c.control_points && !c.knots->given;
   if (default_tolerance) c.tolerance = kDefaultTolerance;
   if (!c.measure) c.measure = MeasureValue{};
   if (!c.degree) c.degree = IntegerPair{3, 3};
   if (!c.refine) c.refine = RefineRoute::search;
+  if (!c.effort) c.effort = FitOptions{}.effort;
+  if (!c.guard) c.guard = FitOptions{}.guard;
   if (!c.feature) c.feature = FeatureMeasure::hessian;
   if (!c.smoothing) c.smoothing = FitOptions{}.smoothing;
   if (!c.between) c.between = true;
@@ -83,8 +85,13 @@ FitOptions fit_options(const FitChoices& c) {
   options.knots = c.knots->given;
   if (!c.knots->given) options.method = c.knots->method;
   options.route = *c.refine;
-  options.degree_u = c.degree->first;
-  options.degree_v = c.degree->second;
+  options.effort = *c.effort;
+  options.guard = *c.guard;
+  options.degree_auto = c.degree->first == 0;
+  if (!options.degree_auto) {
+    options.degree_u = c.degree->first;
+    options.degree_v = c.degree->second;
+  }
   options.max_control_points = static_cast<Index>(c.max_control_points.value_or(0));
   options.max_fits = c.max_fits.value_or(FitOptions{}.max_fits);
   options.evaluations = c.evaluations.value_or(FitOptions{}.evaluations);

@@ -87,6 +87,11 @@ Json correction_of(const FitReport& r) {
             {"places", std::move(places)}}}};
 }
 
+Json comparison_of(const Comparison& c) {
+  if (!(c.error > 0)) return nullptr;
+  return {{"error", number(c.error)}, {"control_points", number(std::round(c.control_points))}};
+}
+
 // The members that a second run repeats.
 void add_outcome(Json& j, const FitReport& r) {
   const FitResult& result = r.result;
@@ -105,6 +110,10 @@ void add_outcome(Json& j, const FitReport& r) {
   j["condition"] = number(result.condition);
   j["noise"] = number(result.noise);
   j["fits"] = result.fits;
+  j["least_squares"] = result.least_squares;
+  j["fill_points"] = result.fill_points;
+  j["against_uniform"] = comparison_of(result.against_uniform);
+  j["against_error_model"] = comparison_of(result.against_error_model);
 }
 
 }  // namespace

@@ -73,8 +73,10 @@ struct FitChoices {
   std::optional<MeasureValue> measure;
   std::optional<IntegerPair> control_points;
   std::optional<KnotSource> knots;
-  std::optional<IntegerPair> degree;
+  std::optional<IntegerPair> degree;  ///< 0 x 0: auto
   std::optional<RefineRoute> refine;
+  std::optional<Effort> effort;
+  std::optional<bool> guard;
   std::optional<long long> max_control_points;
   std::optional<long> max_fits;
   std::optional<double> time_limit;

@@ -145,7 +145,8 @@ Row knots() {
             c.knots = source;
           },
           [](const FitChoices& c) {
-            if (!c.knots->given) return c.knots->method == "error-model" ? "" : "--knots " + c.knots->method;
+            if (!c.knots->given)
+              return c.knots->method == FitOptions{}.method ? "" : "--knots " + c.knots->method;
             const auto list = [](const std::vector<double>& k) { return k.empty() ? "none" : join(k); };
             return fmt::format("--knots-u {} --knots-v {}", list(c.knots->given->u), list(c.knots->given->v));
           }};
@@ -181,8 +182,22 @@ const std::vector<Row>& table() {
           }),
       pair("control_points", &FitChoices::control_points, 2, {0, 0}, "--control-points"),
       knots(),
-      pair("degree", &FitChoices::degree, 1, {3, 3}, "--degree"),
+      row<IntegerPair>(
+          "degree", &FitChoices::degree,
+          [](const IntegerPair& d) {
+            return d.first == 0 ? Json("auto") : Json{d.first, d.second};
+          },
+          [](const Json& j) {
+            if (j.is_string()) return parse_degree(j.get<std::string>());
+            const auto d = j.get<std::array<int, 2>>();
+            return parse_degree(fmt::format("{}x{}", d[0], d[1]));
+          },
+          [](const IntegerPair& d) {
+            return d.first == 3 && d.second == 3 ? std::string() : "--degree " + degree_text(d);
+          }),
       named("refine", &FitChoices::refine, kRoutes, RefineRoute::search, "--refine"),
+      named("effort", &FitChoices::effort, kEfforts, Effort::balanced, "--effort"),
+      flag("guard", &FitChoices::guard, true, "--guard off"),
       count<long long>("max_control_points", &FitChoices::max_control_points, 0, "--max-control-points"),
       count<long>("max_fits", &FitChoices::max_fits, 0, "--max-fits"),
       number("time_limit", &FitChoices::time_limit, parse_positive, 0, "--time-limit"),
@@ -283,8 +298,6 @@ void add_stored_options(FitChoices& choices, const std::string& path) {
       throw FileError(path, "options: \"" + name + "\" has a value of another kind: " + value.dump());
     }
   }
-  if (choices.degree && (choices.degree->first > kMaxDegree || choices.degree->second > kMaxDegree))
-    throw FileError(path, "options: \"degree\" is above 9");
 }
 
 std::string options_to_text(const FitChoices& choices) {

@@ -116,6 +116,17 @@ IntegerPair parse_pair(std::string_view text, int least) {
   return {*first, *second};
 }
 
+IntegerPair parse_degree(std::string_view text) {
+  if (text == "auto") return {0, 0};
+  const IntegerPair degree = parse_pair(text, 1);
+  if (degree.first > kMaxDegree || degree.second > kMaxDegree) refuse(text, "a degree from 1 to 9, or auto");
+  return degree;
+}
+
+std::string degree_text(const IntegerPair& degree) {
+  return degree.first == 0 ? "auto" : fmt::format("{}x{}", degree.first, degree.second);
+}
+
 IntegerPair parse_orders(std::string_view text) {
   const auto parts = split(text, ',');
   const auto first = whole<int>(parts[0]);

@@ -16,6 +16,8 @@ struct Named {
 };
 inline constexpr Named<RefineRoute> kRoutes[] = {{RefineRoute::search, "search"},
                                                  {RefineRoute::insert, "insert"}};
+inline constexpr Named<Effort> kEfforts[] = {
+    {Effort::fast, "fast"}, {Effort::balanced, "balanced"}, {Effort::best, "best"}};
 inline constexpr Named<FeatureMeasure> kFeatures[] = {{FeatureMeasure::hessian, "hessian"},
                                                       {FeatureMeasure::curvature, "curvature"},
                                                       {FeatureMeasure::derivative, "derivative"},
@@ -49,6 +51,9 @@ MeasureValue parse_measure(std::string_view text);
 MeasureValue parse_percentile(std::string_view text);
 /// "40x30", or "40" for both; each at least `least`.
 IntegerPair parse_pair(std::string_view text, int least);
+/// As parse_pair, 1 to 9; "auto": 0 x 0.
+IntegerPair parse_degree(std::string_view text);
+std::string degree_text(const IntegerPair& degree);
 /// "a,b".
 IntegerPair parse_orders(std::string_view text);
 std::pair<double, double> parse_position(std::string_view text);

@@ -25,8 +25,8 @@ enum class Effort {
 struct RefineOptions {
   Tolerance tolerance;
   RefineRoute route = RefineRoute::search;
-  std::string method =
-      "error-model";  ///< placement method of the size search; "optimal" takes more time and needs the fewest
+  /// Placement method: "optimal" needs the fewest control points, "error-model" the least time.
+  std::string method = "optimal";
   Effort effort = Effort::balanced;
   /// Method "optimal": hold the surface between the data too, by fill points and a reserve of local
   /// references [METHOD 4].
@@ -42,7 +42,7 @@ struct RefineOptions {
   FeatureMeasure feature = FeatureMeasure::hessian;
   FeatureMap user_features;
   long evaluations = 2000;  ///< of the error, in an evolutionary search at one size
-  double noise = 0;  ///< standard deviation of the noise in the data, where known
+  double noise = 0;         ///< standard deviation of the noise in the data, where known
 };
 
 /// How a result stands to what was asked. Names as printed by to_string.
@@ -72,6 +72,7 @@ struct RefineResult {
   InteriorKnots knots;  ///< of the best surface: the smallest that holds, else the least error
   double error = 0;     ///< the error that counts, there
   long fits = 0;
+  std::string method;              ///< the knots' own; not the one asked for where that cannot pay
   std::vector<SizeTried> tried;    ///< in order
   InteriorKnots metric;            ///< fine error-model knots (for BetweenOptions); may be empty
   Surface surface;                 ///< the best; with minimax its control points are not the least squares'

@@ -1,12 +1,22 @@
 #include "pipeline/choose_knots.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "fit/problem.h"
 #include "knotfit/errors.h"
 namespace knotfit {
+namespace {
 
-Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
-                    double noise, const Control& control) {
+/// At the degrees of the options.
+Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& options,
+                        const Tolerance& tolerance, double noise, const Control& control) {
   Chosen chosen;
   chosen.method = options.method;
+  chosen.degree_u = options.degree_u;
+  chosen.degree_v = options.degree_v;
   if (options.knots) {
     chosen.knots = *options.knots;
     chosen.method = "given";
@@ -50,13 +60,105 @@ Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options
   chosen.knots = std::move(found.knots);
   chosen.metric = std::move(found.metric);
   chosen.status = found.status;
+  chosen.error = found.error;
   chosen.tried = std::move(found.tried);
   chosen.fits = found.fits;
   chosen.fill_points = found.fill_points;
   chosen.notes = std::move(found.notes);
   if (!found.least_squares) chosen.surface = std::move(found.surface);
-  if (options.route == RefineRoute::insert) chosen.method = "insert";
+  chosen.method = found.method;
   return chosen;
+}
+
+Index size_of(const Chosen& c) {
+  return (static_cast<Index>(c.knots.u.size()) + c.degree_u + 1) *
+         (static_cast<Index>(c.knots.v.size()) + c.degree_v + 1);
+}
+
+bool better(const Chosen& a, const Chosen& b) {
+  const bool ra = a.status == Status::reached, rb = b.status == Status::reached;
+  if (ra != rb) return ra;
+  if (ra && size_of(a) != size_of(b)) return size_of(a) < size_of(b);
+  return a.error < b.error;
+}
+
+/// Tries degrees one after the other and keeps the best.
+class Degrees {
+ public:
+  Degrees(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
+          double noise, const Control& control)
+      : inside_(inside), options_(options), tolerance_(tolerance), noise_(noise), control_(control) {}
+
+  void try_degrees(int degree_u, int degree_v) {
+    FitOptions options = options_;
+    options.degree_u = degree_u;
+    options.degree_v = degree_v;
+    const Index patch = Index{degree_u + 1} * (degree_v + 1);
+    const bool fixed = options.control_points_u > 0;
+    if (patch > inside_.size() || control_.stop.stop_requested()) return;
+    if (fixed && (options.control_points_u <= degree_u || options.control_points_v <= degree_v)) return;
+    Control rest = control_;
+    if (control_.time_limit > 0) {
+      rest.time_limit = control_.time_limit - std::chrono::duration<double>(Clock::now() - start_).count();
+      if (rest.time_limit <= 0 && best_) return;
+      rest.time_limit = std::max(rest.time_limit, 1e-3);
+    }
+    // A larger surface than the best so far is of no use.
+    if (!fixed && best_ && best_->status == Status::reached) options.max_control_points = size_of(*best_);
+    if (options.max_control_points > 0 && options.max_control_points < patch) return;
+    Chosen chosen = choose_at_degree(inside_, options, tolerance_, noise_, rest);
+    if (fixed) {
+      LeastSquaresOptions fit;
+      fit.smoothing = options.smoothing;
+      FitProblem problem(inside_, degree_u, degree_v, fit);
+      problem.solve(chosen.knots);
+      chosen.error = tolerance_.value > 0 ? problem.measured(tolerance_) : problem.rms();
+      chosen.fits += problem.fits();
+    }
+    fits_ += chosen.fits;
+    const bool held = fixed || chosen.status == Status::reached;
+    tried_ += fmt::format("{}{}x{}: {}", tried_.empty() ? "" : ", ", degree_u, degree_v,
+                          !held   ? "no better"
+                          : fixed ? fmt::format("error {:.3g}", chosen.error)
+                                  : fmt::format("{} control points", size_of(chosen)));
+    if (!best_ || better(chosen, *best_)) best_ = std::move(chosen);
+  }
+  const Chosen& best() const { return *best_; }
+  Chosen result() {
+    best_->fits = fits_;
+    best_->notes.push_back("degrees tried, " + tried_);
+    return std::move(*best_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const ParameterizedPoints& inside_;
+  const FitOptions& options_;
+  const Tolerance& tolerance_;
+  double noise_;
+  const Control& control_;
+  Clock::time_point start_ = Clock::now();
+  std::optional<Chosen> best_;
+  long fits_ = 0;
+  std::string tried_;
+};
+
+}  // namespace
+
+Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
+                    double noise, const Control& control) {
+  if (!options.degree_auto || options.knots)
+    return choose_at_degree(inside, options, tolerance, noise, control);
+  constexpr int kDegrees[] = {3, 4, 5};
+  Degrees degrees(inside, options, tolerance, noise, control);
+  for (int m : kDegrees) degrees.try_degrees(m, m);
+  const int best = degrees.best().degree_u;
+  for (int m : kDegrees) {
+    if (m == best) continue;
+    degrees.try_degrees(best, m);
+    degrees.try_degrees(m, best);
+  }
+  return degrees.result();
 }
 
 }  // namespace knotfit

@@ -10,7 +10,9 @@ namespace knotfit {
 /// Works in the frame.
 struct Chosen {
   InteriorKnots knots, metric;
+  int degree_u = 3, degree_v = 3;
   Status status = Status::fixed_size;
+  double error = 0;  ///< the error that counts, where a search or a comparison of degrees measured it
   double criterion = 0;
   std::vector<SizeTried> tried;
   long fits = 0;

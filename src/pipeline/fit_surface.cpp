@@ -147,7 +147,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   LeastSquaresOptions fit;
   fit.smoothing = options.smoothing;
   fit.use_grid = !chosen.surface;
-  FitProblem problem(inside, options.degree_u, options.degree_v, fit);
+  FitProblem problem(inside, chosen.degree_u, chosen.degree_v, fit);
   const bool solved = fit_chosen(problem, chosen, tolerance);
   result.fits = chosen.fits + problem.fits();
   result.method = chosen.method;

@@ -103,6 +103,8 @@ void check_size(const ParameterizedPoints& points, const FitOptions& o) {
 
 void check_requirements(const ParameterizedPoints& points, const FitOptions& options) {
   validate(points);
+  if (options.degree_auto && options.knots)
+    throw InvalidInput("degrees cannot be tried on given knots: give a degree, or leave the knots out");
   for (int degree : {options.degree_u, options.degree_v})
     if (degree < 1 || degree > kMaxDegree)
       throw InvalidInput(fmt::format("degree {}: it must be 1 to {}", degree, kMaxDegree));

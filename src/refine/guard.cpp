@@ -14,10 +14,13 @@ namespace {
 // Measured constants of METHOD 4.
 constexpr double kRadius = 1, kBorder = 0.5;  // of the fill
 constexpr double kReserveRadius = 0.7, kReserveBorder = 0.4;
-constexpr double kWeight = 0.3, kSlack = 1.25, kJoin = 1.02, kDrop = 3;
+constexpr double kWeight = 0.3, kSlack = 1.25, kJoin = 1.02;
+// Error bars beyond this many tolerances say nothing. Below it even an unsure reference keeps a surface from
+// swinging through a hole, with the little weight that its bar leaves it.
+constexpr double kDrop = 1e4;
 // A place matters where the gap is above this share of the cell's shorter side, or the cell holds fewer points.
-constexpr double kWideGap = 0.25;
-constexpr Index kFewPoints = 40;
+constexpr double kWideGap = 0.12;
+constexpr Index kFewPoints = 60;
 
 double infinity() {
   return std::numeric_limits<double>::infinity();

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "place/context.h"
+#include "fit/knot_loss.h"
 #include "place/error_model.h"
+#include "place/levenberg.h"
 #include "place/shares.h"
-#include "refine/attempts.h"
+#include "refine/minimax.h"
+#include "refine/size_solver.h"
 namespace knotfit {
 namespace {
 
@@ -49,6 +51,7 @@ class Insertion {
         problem_(problem),
         control_(control),
         context_(problem, placement_options(options), control),
+        optimal_(options.method == "optimal" && can_optimise_insertion(problem.points())),
         plateau_(options.noise, problem.points().size(), problem.points().dimension) {}
 
   RefineResult run() {
@@ -56,21 +59,18 @@ class Insertion {
     const FeatureMap geometry = context_.features();
     attempts_.set_stage("insertion");
     const Status unmet = insert(geometry);
-    if (attempts_.reached() && !attempts_.interrupted()) prune();
+    if (attempts_.reached() && !attempts_.interrupted()) {
+      prune();
+      if (optimal_) prune_moving();
+    }
     RefineResult result = attempts_.finish(unmet);
+    if (!optimal_) result.method = "insert";
     if (!attempts_.interrupted()) result.metric = context_.fine_model().knots;
     return result;
   }
 
  private:
   static constexpr double kLeastSpan = 1e-4;  ///< a span of this length is not cut again
-
-  static PlacementOptions placement_options(const RefineOptions& o) {
-    PlacementOptions placement;
-    placement.feature = o.feature;
-    placement.user_features = o.user_features;
-    return placement;
-  }
 
   Status insert(const FeatureMap& geometry) {
     const int start = 3;  // p = q = 4
@@ -103,6 +103,11 @@ class Insertion {
       };
       if (std::isfinite(error)) consider(knots_of_density(problem_, count_u, count_v));
       consider(by_criterion(f, count_u, count_v));
+      if (optimal_ && !attempts_.holds(error)) {
+        InteriorKnots moved = best;
+        minimize_over_knots(problem_, moved, levenberg(kStepsARound));
+        consider(moved);
+      }
       if (!(problem_.knots() == best)) problem_.solve(best);
       attempts_.list(problem_.axis_u().functions(), problem_.axis_v().functions(), error);
     }
@@ -233,16 +238,69 @@ class Insertion {
     }
   }
 
+  /// Drops knots while the others, moved to where they do best, still hold the tolerance: by least squares, and
+  /// for a maximum by minimax.
+  void prune_moving() {
+    attempts_.set_stage("prune, knots moving");
+    const bool minimax = attempts_.tolerance().measure == ErrorMeasure::max;
+    InteriorKnots knots = attempts_.best();
+    for (bool dropped = true; dropped;) {
+      dropped = false;
+      const bool v_first = knots.u.size() > knots.v.size();  // a v-knot takes more control points then
+      for (bool v : {v_first, !v_first}) {
+        if ((v ? knots.v : knots.u).empty() || attempts_.interrupted() || !problem_.solve(knots)) continue;
+        const std::vector<double> loss = knot_losses(problem_, v);
+        InteriorKnots fewer = knots;
+        auto& line = v ? fewer.v : fewer.u;
+        line.erase(line.begin() + (std::min_element(loss.begin(), loss.end()) - loss.begin()));
+        minimize_over_knots(problem_, fewer, levenberg(40));
+        double error = problem_.measured(attempts_.tolerance());
+        bool squares = true;
+        if (minimax && !attempts_.holds(error) && error < kMinimaxReach * attempts_.tolerance().value) {
+          MinimaxOptions options;
+          options.enough = attempts_.tolerance().value;
+          options.patience = 1;
+          options.stop = [this] { return attempts_.stopped(); };
+          const NetState state = minimize_maximum(problem_, {}, options);
+          fewer = state.knots;
+          error = state.max;
+          squares = false;
+        }
+        attempts_.list(problem_.axis_u().functions(), problem_.axis_v().functions(), error);
+        if (!attempts_.holds(error)) continue;
+        attempts_.offer(problem_, error, squares);
+        knots = fewer;
+        dropped = true;
+        break;
+      }
+    }
+  }
+
+  LevenbergOptions levenberg(int steps) const {
+    LevenbergOptions options;
+    options.steps = steps;
+    options.fall = 2e-3;
+    options.stop = [this] { return attempts_.stopped(); };
+    return options;
+  }
+
   static constexpr double kPruneWork = 6e10;
+  static constexpr int kStepsARound = 8;        ///< of all knots, after isolines were inserted
+  static constexpr double kMinimaxReach = 2.5;  ///< what minimax may gain
 
   Attempts attempts_;
   FitProblem& problem_;
   const Control& control_;
   PlacementContext context_;
+  bool optimal_;  ///< knots move to where the error is least
   NoisePlateau plateau_;
 };
 
 }  // namespace
+
+bool can_optimise_insertion(const ParameterizedPoints& points) {
+  return points.size() * points.dimension <= 200'000;
+}
 
 RefineResult insert_isolines(FitProblem& problem, const RefineOptions& options, const Control& control) {
   return Insertion(problem, options, control).run();

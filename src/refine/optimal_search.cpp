@@ -13,6 +13,7 @@ namespace {
 constexpr long kFits[] = {2000, 12000, 80000};  // fast, balanced, best
 constexpr double kWork[] = {1e11, 4e11, 4e12};  // operations a search may take
 constexpr double kLeastSaving = 0.1;            // below it, optimising is not worth its time
+constexpr double kLittleWork = 2e10;            // seconds: then even a small saving is worth it
 constexpr double kFitsToOptimise = 2000;        // of the last sizes, for the estimate of the work
 
 /// Knots of the error model instead, with the reason.
@@ -20,6 +21,7 @@ RefineResult search_placed_instead(FitProblem& data, RefineOptions options, cons
                                    const std::string& reason) {
   options.method = "error-model";
   RefineResult result = search_placed(data, options, control);
+  result.method = options.method;
   result.notes.push_back(reason + "; the knots come from the error model");
   return result;
 }
@@ -37,7 +39,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   const double work =
       kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
                          9 * side * side * side * side);
-  if (worth.saving < kLeastSaving && options.effort != Effort::best)
+  if (worth.saving < kLeastSaving && work > kLittleWork && options.effort != Effort::best)
     return search_placed_instead(
         data, options, control,
         fmt::format("optimised knots would save about {:.0f} % of the control points", 100 * worth.saving));

@@ -55,6 +55,8 @@ Status search_sizes(FitProblem& data, const FineModel& fine, SizeSolver& solver,
 /// The routes.
 RefineResult search_placed(FitProblem& data, const RefineOptions& options, const Control& control);
 RefineResult search_optimal(FitProblem& data, const RefineOptions& options, const Control& control);
+/// Whether insertion with moving knots stays within seconds on so many points.
+bool can_optimise_insertion(const ParameterizedPoints& points);
 RefineResult insert_isolines(FitProblem& data, const RefineOptions& options, const Control& control);
 
 }  // namespace knotfit

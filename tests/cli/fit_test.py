@@ -96,7 +96,8 @@ class ExitStatus(ToolTest):
 
 class Report(ToolTest):
     MEMBERS = ["size", "control_points", "degree", "knots", "error", "correction", "between", "bound", "thin", "tolerance", "measured",
-               "reached", "status", "message", "method", "condition", "noise", "fits", "seconds", "peak_memory_bytes",
+               "reached", "status", "message", "method", "condition", "noise", "fits", "least_squares",
+               "fill_points", "against_uniform", "against_error_model", "seconds", "peak_memory_bytes",
                "input", "options", "notes", "outputs", "version"]
 
     def test_json_has_every_member(self):
@@ -429,7 +430,7 @@ class Options(ToolTest):
         again = self.run_json("fit", "points.csv", "--options", "given.json")
         self.assertEqual((again["method"], again["size"]), ("given", [5, 6]))
         again = self.run_json("fit", "points.csv", "--options", "given.json", "--control-points", "7x7")
-        self.assertEqual((again["size"], again["method"]), ([7, 7], "error-model"))
+        self.assertEqual((again["size"], again["method"]), ([7, 7], "optimal"))
         self.run_json("fit", "points.csv", "--control-points", "6x7", "-o", "size.json")
         again = self.run_json("fit", "points.csv", "--options", "size.json", "--knots-u", "0.5", "--knots-v", "0.5")
         self.assertEqual((again["size"], again["method"]), ([5, 5], "given"))

@@ -52,7 +52,7 @@ TEST_P(Refused, LimitsBelowOnePatch) {
 }
 
 TEST_P(Refused, UnknownMethodsDegreesAndPoints) {
-  expect(to_max_error(1e-2, "nktp"), "there is no placement method 'nktp'");
+  expect(to_max_error(1e-2, "no-such"), "there is no placement method 'no-such'");
   RefineOptions options = to_max_error(1e-2);
   options.degree_u = 12;
   expect(options, "degree 12 is outside [1, 9]");

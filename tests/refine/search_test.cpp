@@ -131,6 +131,7 @@ TEST(SizeSearch, WorksWithEveryPlacedMethod) {
   const ParameterizedPoints points = synthetic_points("torus", 4000);
   for (const PlacementMethod& method : placement_methods()) {
     if (method.name == "optimal") continue;
+    if (method.name.starts_with("evolutionary")) continue;  // thousands of fits a size: for one size
     const RefineOptions options = to_max_error(5e-3 * synthetic_diagonal(points), std::string(method.name));
     const RefineResult r = refine_to_tolerance(points, options);
     EXPECT_EQ(r.status, Status::reached) << method.name;

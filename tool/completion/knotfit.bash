@@ -13,6 +13,8 @@ _knotfit() {
     --methods | --compare) COMPREPLY=($(compgen -W "all $("$tool" methods --names 2>/dev/null)" -- "$current")); return ;;
     --input-format) COMPREPLY=($(compgen -W "$("$tool" formats --names 2>/dev/null)" -- "$current")); return ;;
     --refine) COMPREPLY=($(compgen -W "search insert" -- "$current")); return ;;
+    --effort) COMPREPLY=($(compgen -W "fast balanced best" -- "$current")); return ;;
+    --guard) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --feature) COMPREPLY=($(compgen -W "hessian curvature derivative residual" -- "$current")); return ;;
     --spacing) COMPREPLY=($(compgen -W "chord centripetal uniform" -- "$current")); return ;;
     --map) COMPREPLY=($(compgen -W "newton mean-value" -- "$current")); return ;;
@@ -38,7 +40,7 @@ _knotfit() {
   case $command in
     fit)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
-        --knots --knots-u --knots-v --knots-from --refine --feature --evaluations --smoothing $input --height-field
+        --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --evaluations --smoothing $input --height-field
         --spacing --rescale-parameters --duplicates $mesh --new-parameters --correct $output --samples --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
         --no-orient --no-drop-degenerate --no-new-parameters --no-cad-safe" ;;
