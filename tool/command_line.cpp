@@ -185,7 +185,7 @@ void add_knot_options(CLI::App& app, FitArguments& fit) {
   add(app, "--effort", one_of(kEfforts),
       "Work of a search with optimal knots, counted in fits: fast (no minimax), balanced (default), best "
       "(every "
-      "start, every neighbouring size, and the smaller of both routes)",
+      "start, every neighbouring size, insertion as well)",
       group, [&](const std::string& t) { c.effort = parse_named(kEfforts, t); });
   add(app, "--guard", one_of(kSwitch),
       "Hold a search with optimal knots to the data between its points too; default on", group,

@@ -102,6 +102,7 @@ MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options
   }
   r.least_squares = false;
   r.condition = 0;
+  r.against_uniform = r.against_error_model = {};  // they compare errors at the parameters
   r.measured = options.tolerance ? measured_error(r.errors, r.asked) : r.error.max;
   r.reached = options.tolerance && r.measured <= r.tolerance;
   const bool cut = fit.correction.status == CorrectionStatus::stopped;

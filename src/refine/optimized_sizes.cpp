@@ -59,6 +59,12 @@ OptimizedSizes::OptimizedSizes(FitProblem& problem, PlacementContext& context, G
   use_base_weights();
 }
 
+Spans OptimizedSizes::seed(InteriorKnots knots) {
+  const Spans spans{static_cast<int>(knots.u.size()) + 1, static_cast<int>(knots.v.size()) + 1};
+  seeds_[spans] = std::move(knots);
+  return spans;
+}
+
 void OptimizedSizes::use_base_weights() {
   if (guard_) {
     shares_ = guard_->shares(problem_);
@@ -108,6 +114,7 @@ std::vector<InteriorKnots> OptimizedSizes::starts(const Spans& spans, const Entr
       widen_spans(knots.v, 0.01);
     }
   }
+  if (const auto seed = seeds_.find(spans); seed != seeds_.end()) result.push_back(seed->second);
   if (from) {
     result.push_back(adapt_knots(problem_, from->knots, ku, kv, levenberg_));
     if (from->outcome.holds && !(from->minimax == InteriorKnots{}) && options_.effort != Effort::fast)

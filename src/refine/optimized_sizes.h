@@ -15,6 +15,8 @@ class OptimizedSizes final : public SizeSolver {
   OptimizedSizes(FitProblem& problem, PlacementContext& context, Guard* guard, Attempts& attempts,
                  const RefineOptions& options);
 
+  /// Knots to start from at their own size. \return that size
+  Spans seed(InteriorKnots knots);
   const SizeOutcome& solve(const Spans& spans, const Spans* from) override;
   const SizeOutcome* seen(const Spans& spans) const override;
   bool hopeless(const Spans& spans) const override;
@@ -51,6 +53,7 @@ class OptimizedSizes final : public SizeSolver {
   WalkPolicy policy_;
   LevenbergOptions levenberg_;
   std::map<Spans, Entry> seen_;
+  std::map<Spans, InteriorKnots> seeds_;
 };
 
 }  // namespace knotfit

@@ -37,37 +37,6 @@ std::string_view to_string(Status status) {
   return "unknown";
 }
 
-namespace {
-
-/// The other route: the smaller surface wins. (The search's stop and time limit stand.)
-void try_insertion_too(RefineResult& result, const ParameterizedPoints& points, RefineOptions options,
-                       const Control& control, LeastSquaresOptions fit) {
-  if (result.status != Status::reached || control.stop.stop_requested() || !can_optimise_insertion(points))
-    return;
-  const Index size = result.surface.control_point_count();
-  options.route = RefineRoute::insert;
-  options.max_control_points = std::max<Index>(2 * size, 16 + size);  // pruned below it again
-  fit.use_grid = false;
-  FitProblem problem(points, options.degree_u, options.degree_v, fit);
-  RefineResult other = insert_isolines(problem, options, control);
-  result.fits += other.fits;
-  if (other.status != Status::reached || other.surface.control_point_count() >= size) return;
-  // What the guard checked of the first surface, nobody checked of this one: keep the first where it was on.
-  if (options.guard && options.tolerance.measure == ErrorMeasure::max) {
-    result.notes.push_back(fmt::format("insertion reached the tolerance at the points with {} control points",
-                                       other.surface.control_point_count()));
-    return;
-  }
-  other.fits = result.fits;
-  other.method = options.method;
-  other.metric = result.metric;
-  other.notes.push_back("found by insertion; the size search needed " + std::to_string(size) +
-                        " control points");
-  result = std::move(other);
-}
-
-}  // namespace
-
 RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,
                                  const Control& control) {
   const Tolerance& t = options.tolerance;
@@ -102,8 +71,6 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
   else
     result = optimal ? search_optimal(problem, options, control) : search_placed(problem, options, control);
   if (result.method.empty()) result.method = options.method;
-  if (optimal && !insert && options.effort == Effort::best && result.method == "optimal")
-    try_insertion_too(result, points, options, control, fit);
   return result;
 }
 

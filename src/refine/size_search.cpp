@@ -19,8 +19,10 @@ class SizeSearch {
         n_(data.degree_v()),
         ratio_(span_ratio(fine)) {}
 
-  Status run() {
-    const Status unmet = grow();
+  Status run(std::optional<Spans> first) {
+    if (first && allowed(*first)) attempts_.set_stage("size search");
+    const bool held = first && allowed(*first) && solver_.solve(*first, nullptr).holds;
+    const Status unmet = held ? Status::reached : grow();
     if (attempts_.reached() && !attempts_.interrupted()) walk_down();
     return unmet;
   }
@@ -152,8 +154,8 @@ class SizeSearch {
 }  // namespace
 
 Status search_sizes(FitProblem& data, const FineModel& fine, SizeSolver& solver, Attempts& attempts,
-                    NoisePlateau& plateau) {
-  return SizeSearch(data, fine, solver, attempts, plateau).run();
+                    NoisePlateau& plateau, std::optional<Spans> first) {
+  return SizeSearch(data, fine, solver, attempts, plateau).run(first);
 }
 
 }  // namespace knotfit

@@ -2,6 +2,7 @@
 #pragma once
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "knotfit/features.h"
@@ -49,8 +50,9 @@ std::unique_ptr<SizeSolver> placed_sizes(FitProblem& problem, PlacementContext& 
                                          const RefineOptions& options);
 
 /// Runs a solver from small sizes up, and down again. \return the status where the tolerance is not reached
+/// \param first  a size that may hold, tried before all others; sizes do not grow from small ones if it does
 Status search_sizes(FitProblem& data, const FineModel& fine, SizeSolver& solver, Attempts& attempts,
-                    NoisePlateau& plateau);
+                    NoisePlateau& plateau, std::optional<Spans> first = {});
 
 /// The routes.
 RefineResult search_placed(FitProblem& data, const RefineOptions& options, const Control& control);
