@@ -1,6 +1,6 @@
-// Measures the figures of docs/knots.md: knotfit_bench_knots [--list] [WORD...]
-// A row is measured where its words contain all of those given: "tolerance ridge best" is three rows. One line of
-// JSON a row on standard output.
+// Measures the figures of docs/knots.md: knotfit_bench_knots [--list] [WORD... | --row NAME]
+// A row is measured where its words contain all of those given: "tolerance ridge best" is five rows; or the one of
+// exactly that name. One line of JSON a row on standard output.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   using namespace knotfit::bench;
   std::vector<std::string> wanted(argv + 1, argv + argc);
   const bool list = std::erase(wanted, "--list") > 0;
+  const bool exact = wanted.size() == 2 && wanted.front() == "--row";
   try {
     int rows = 0;
     for (const auto& table : {equal_knots_rows, tolerance_rows, hostile_rows, time_rows, rms_rows, sweep_rows,
@@ -18,10 +19,10 @@ int main(int argc, char** argv) {
         const auto contains = [&](const std::string& word) {
           return std::find(row.words.begin(), row.words.end(), word) != row.words.end();
         };
-        if (!std::all_of(wanted.begin(), wanted.end(), contains)) continue;
-        ++rows;
         std::string name;
         for (const std::string& word : row.words) name += (name.empty() ? "" : " ") + word;
+        if (exact ? name != wanted.back() : !std::all_of(wanted.begin(), wanted.end(), contains)) continue;
+        ++rows;
         if (list) {
           std::printf("%s\n", name.c_str());
           continue;
