@@ -1,4 +1,5 @@
 // Knots that minimise the fitting error itself [METHOD 3, "the default call"].
+#include <algorithm>
 #include <limits>
 
 #include "place/context.h"
@@ -6,8 +7,23 @@
 #include "place/shares.h"
 namespace knotfit {
 
+namespace {
+
+constexpr double kExact = 1e-20;  // of sum w |P|^2: the data is met to rounding
+constexpr double kSame = 1e-6;    // starts that reached the same phi are one minimum
+
+double squared_values(const ParameterizedPoints& points) {
+  double sum = 0;
+  for (Index k = 0; k < points.size(); ++k)
+    for (int d = 0; d < points.dimension; ++d)
+      sum += points.weight(k) * points.value(k)[d] * points.value(k)[d];
+  return sum;
+}
+
+}  // namespace
+
 /// Levenberg-Marquardt from three starts (two-stage error model, the error model iterated at the counts
-/// from uniform, equal marginal shares of the feature measure), relocation of the best, ties.
+/// from uniform, equal marginal shares of the feature measure), relocation and ties from each; the least phi.
 Placement place_optimal(PlacementContext& context, int interior_u, int interior_v) {
   FitProblem& problem = context.problem();
   std::vector<InteriorKnots> starts;
@@ -19,19 +35,35 @@ Placement place_optimal(PlacementContext& context, int interior_u, int interior_
 
   LevenbergOptions levenberg;
   levenberg.stop = [&] { return context.stop_requested(); };
-  double phi = std::numeric_limits<double>::infinity();
-  Placement placement;
-  placement.knots = starts.front();
+  struct Optimum {
+    InteriorKnots knots;
+    double phi;
+  };
+  std::vector<Optimum> optima;
   for (InteriorKnots& start : starts) {
     widen_spans(start.u, 0.01);
     widen_spans(start.v, 0.01);
-    if (const double reached = minimize_over_knots(problem, start, levenberg); reached < phi) {
-      phi = reached;
-      placement.knots = start;
+    const double phi = minimize_over_knots(problem, start, levenberg);
+    optima.push_back({start, phi});
+  }
+  std::stable_sort(optima.begin(), optima.end(), [](auto& a, auto& b) { return a.phi < b.phi; });
+  // Relocation leads elsewhere from each, and the start of least error is not always the one that ends lowest.
+  const double exact = kExact * squared_values(problem.points());
+  double phi = std::numeric_limits<double>::infinity(), before = -1;
+  Placement placement;
+  placement.knots = optima.front().knots;
+  for (Optimum& optimum : optima) {
+    if (phi <= exact || context.stop_requested()) break;
+    if (optimum.phi <= before * (1 + kSame)) continue;
+    before = optimum.phi;
+    optimum.phi = relocate_knots(problem, optimum.knots, optimum.phi, levenberg);
+    optimum.phi = tie_knots(problem, optimum.knots, optimum.phi, levenberg);
+    if (optimum.phi < phi) {
+      phi = optimum.phi;
+      placement.knots = optimum.knots;
     }
   }
-  phi = relocate_knots(problem, placement.knots, phi, levenberg);
-  tie_knots(problem, placement.knots, phi, levenberg);
+  problem.solve(placement.knots);
   placement.status = context.stop_requested() ? PlacementStatus::stopped : PlacementStatus::converged;
   return placement;
 }

@@ -69,34 +69,45 @@ double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
   return phi;
 }
 
-double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg) {
-  constexpr std::size_t kPairs = 3;  // nearest pairs of distinct knots tried in a direction
-  for (bool along_v : {false, true}) {
-    const int degree = along_v ? problem.degree_v() : problem.degree_u();
-    for (bool tied = true; tied && !(levenberg.stop && levenberg.stop());) {
-      tied = false;
-      const std::vector<double> k = line(knots, along_v);
-      const double near = 0.5 / static_cast<double>(k.size() + 1);
-      std::vector<std::pair<double, std::size_t>> pairs;
-      for (std::size_t i = 0; i + 1 < k.size(); ++i)
-        if (k[i] < k[i + 1] && k[i + 1] - k[i] < near) pairs.push_back({k[i + 1] - k[i], i});
-      std::sort(pairs.begin(), pairs.end());
-      pairs.resize(std::min(pairs.size(), kPairs));
-      for (const auto& [distance, i] : pairs) {
-        InteriorKnots trial = knots;
-        auto& t = line(trial, along_v);
-        const double low = k[i], high = k[i + 1], middle = (low + high) / 2;
-        for (double& x : t)
-          if (x == low || x == high) x = middle;  // doubles may tie into triples
-        if (std::count(t.begin(), t.end(), middle) > degree) continue;
-        if (const double after = minimize_over_knots(problem, trial, levenberg); after < phi) {
-          phi = after;
-          knots = trial;
-          tied = true;
-          break;
-        }
-      }
+namespace {
+
+/// Ties the first of the nearest pairs of distinct knots of a direction that lowers phi. \return whether one did
+bool tie_a_pair(FitProblem& problem, InteriorKnots& knots, double& phi, bool along_v,
+                const LevenbergOptions& levenberg) {
+  constexpr std::size_t kPairs = 3;  // tried
+  const int degree = along_v ? problem.degree_v() : problem.degree_u();
+  const std::vector<double> k = line(knots, along_v);
+  const double near = 0.5 / static_cast<double>(k.size() + 1);
+  std::vector<std::pair<double, std::size_t>> pairs;
+  for (std::size_t i = 0; i + 1 < k.size(); ++i)
+    if (k[i] < k[i + 1] && k[i + 1] - k[i] < near) pairs.push_back({k[i + 1] - k[i], i});
+  std::sort(pairs.begin(), pairs.end());
+  pairs.resize(std::min(pairs.size(), kPairs));
+  for (const auto& [distance, i] : pairs) {
+    InteriorKnots trial = knots;
+    auto& t = line(trial, along_v);
+    const double low = k[i], high = k[i + 1], middle = (low + high) / 2;
+    for (double& x : t)
+      if (x == low || x == high) x = middle;  // doubles may tie into triples
+    if (std::count(t.begin(), t.end(), middle) > degree) continue;
+    if (const double after = minimize_over_knots(problem, trial, levenberg); after < phi) {
+      phi = after;
+      knots = trial;
+      return true;
     }
+  }
+  return false;
+}
+
+}  // namespace
+
+double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg) {
+  // Another pass after a pair was tied: what the other direction gains shows once this one's error is gone.
+  for (bool tied = true; tied;) {
+    tied = false;
+    for (bool along_v : {false, true})
+      while (!(levenberg.stop && levenberg.stop()) && tie_a_pair(problem, knots, phi, along_v, levenberg))
+        tied = true;
   }
   problem.solve(knots);
   return phi;
