@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "formats/support.h"
 #include "knotfit/curve_io.h"
 #include "knotfit/errors.h"
 #include "support/expect_throw.h"
@@ -16,10 +17,8 @@ namespace {
 
 class CadCurve : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-  std::string folder_ = testing::TempDir() + "knotfit-cad-curve";
+  std::string path(const std::string& name) const { return folder_.file(name); }
+  TemporaryFolder folder_;
 };
 
 Curve wave(int degree) {

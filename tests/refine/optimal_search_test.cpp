@@ -96,8 +96,8 @@ TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
   EXPECT_EQ(guard.data_count(), points.size());
   EXPECT_EQ(guard.fill_count(), 0);
   FitProblem problem = moving(guard.points());
-  problem.solve({uniform_knots(5), uniform_knots(5)});
-  EXPECT_EQ(guard.fill(problem), 0);  // 110 points a cell: nowhere to go astray
+  problem.solve({uniform_knots(2), uniform_knots(2)});
+  EXPECT_EQ(guard.fill(problem), 0);  // 440 points a cell: nowhere to go astray
   problem.solve({uniform_knots(24), uniform_knots(24)});
   const Index joined = guard.fill(problem);
   EXPECT_GT(joined, 200);
