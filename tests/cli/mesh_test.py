@@ -3,6 +3,7 @@
 import math
 import struct
 import unittest
+import xml.etree.ElementTree
 
 from harness import BAD, SAMPLES, SOURCE, ToolTest, wave
 
@@ -125,7 +126,9 @@ class Parameterize(MeshTest):
         report = self.run_json("parameterize", "sheet.obj", "-o", "a.png", "-o", "a.svg", "-o", "a.pdf", "--lines", "8")
         self.assertEqual(report["outputs"], ["a.png", "a.svg", "a.pdf"])
         self.assertEqual((self.folder / "a.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertIn("sheet.obj", (self.folder / "a.svg").read_text())
+        svg = xml.etree.ElementTree.parse(self.folder / "a.svg").getroot()  # its text is drawn as outlines
+        self.assertTrue(svg.tag.endswith("svg"))
+        self.assertGreater(sum(1 for e in svg.iter() if e.tag.endswith("path")), 16)
         self.assertEqual((self.folder / "a.pdf").read_bytes()[:4], b"%PDF")
         for lines in ("0", "201", "many"):
             self.refused("parameterize", "sheet.obj", "-o", "b.png", "--lines", lines, words=["--lines", lines])
