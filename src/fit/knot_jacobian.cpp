@@ -1,12 +1,13 @@
 #include "fit/knot_jacobian.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 
 #include "fit/banded.h"
+#include "fit/degrees.h"
 #include "fit/gauss_rule.h"
 #include "fit/kernels.h"
-#include "fit/matrices.h"
 #include "fit/scattered.h"
 #include "fit/spans_in_turn.h"
 #include "knotfit/basis.h"
@@ -52,6 +53,14 @@ std::vector<double> knot_derivatives(const Axis& axis) {
 }
 
 namespace {
+
+template <int rows, int columns>
+using ConstMap =
+    Eigen::Map<const Eigen::Matrix<double, rows, columns,
+                                   (rows != 1 && columns == 1) ? Eigen::ColMajor : Eigen::RowMajor>>;
+template <int rows, int columns>
+using Matrix = Eigen::Matrix<double, rows, columns, Eigen::RowMajor>;
+static_assert(kDynamic == Eigen::Dynamic);
 
 /// Legendre coefficients of the products P_a P_{a2 <= a}: pairs x moments.
 std::vector<double> make_legendre_products(int degree) {

@@ -1,13 +1,26 @@
 #include "fit/scattered.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "fit/degrees.h"
 #include "fit/kernels.h"
-#include "fit/matrices.h"
 #include "fit/smoothing.h"
 #include "fit/spans_in_turn.h"
 namespace knotfit {
+namespace {
+
+template <int rows, int columns>
+using ConstMap =
+    Eigen::Map<const Eigen::Matrix<double, rows, columns,
+                                   (rows != 1 && columns == 1) ? Eigen::ColMajor : Eigen::RowMajor>>;
+template <int rows, int columns>
+using Matrix = Eigen::Matrix<double, rows, columns, Eigen::RowMajor>;
+static_assert(kDynamic == Eigen::Dynamic);
+
+}  // namespace
+
 ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points)
     : order_(points), counted_(points.size()) {}
 
