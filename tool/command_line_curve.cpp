@@ -32,7 +32,7 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
   });
   add(app, "--max-control-points", "N", "Most control points; default: half of the points", size,
       [&](const std::string& t) { c.max_control_points = parse_count(t, 1); });
-  add(app, "--max-fits", "N", "Most linear fits of a search; default 20000", size,
+  add(app, "--max-fits", "N", "Most linear fits of a search; default 100000", size,
       [&](const std::string& t) { c.max_fits = static_cast<long>(parse_count(t, 1)); });
   const std::string knots = "Knots";
   CLI::Option* method =

@@ -125,7 +125,7 @@ class CurveFitter {
 /// Up by a tenth until a size holds, down one at a time while two sizes below may hold.
 Status search(CurveFitter& fitter, const CurveFitOptions& options, const Tolerance& tolerance, Index most,
               const Control& control, double scale, CurveFitResult& result, Fitted& best) {
-  const long budget = options.max_fits > 0 ? options.max_fits : 20000;
+  const long budget = options.max_fits > 0 ? options.max_fits : 100000;
   Fitted nearest;
   const auto attempt = [&](Index n) {
     Fitted fitted = fitter.size(n);
