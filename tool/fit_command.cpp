@@ -71,8 +71,9 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   return c;
 }
 
-FitOptions fit_options(const FitChoices& c) {
+FitOptions fit_options(const FitChoices& c, const FitInput& input) {
   FitOptions options;
+  if (input.mesh && input.mesh->map) options.span_ratio = input.mesh->map->quality.aspect;
   if (c.tolerance)
     options.tolerance = ToleranceRequest{.value = c.tolerance->value,
                                          .relative = c.tolerance->relative,
@@ -288,13 +289,13 @@ int run_fit(const FitArguments& arguments) {
   MeshFit corrected;
   try {
     if (rounds > 0) {
-      corrected =
-          fit_mesh(input.mesh->mesh, *input.mesh->map, fit_options(choices), {.rounds = rounds}, control);
+      corrected = fit_mesh(input.mesh->mesh, *input.mesh->map, fit_options(choices, input),
+                           {.rounds = rounds}, control);
       result = corrected.result;
       input.points = corrected.points;
       input.all_points = {};
     } else {
-      result = fit_surface(input.points, fit_options(choices), control);
+      result = fit_surface(input.points, fit_options(choices, input), control);
     }
   } catch (const InvalidInput& e) {
     throw InvalidInput(arguments.input + ": " + e.what());

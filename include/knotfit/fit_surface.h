@@ -37,6 +37,7 @@ struct FitOptions {
   /// Degrees 3, 4 and 5 are tried, equal ones and then one direction apart, and the fewest control points win
   /// (at a fixed size: the least error). Not with given knots.
   bool degree_auto = false;
+  double span_ratio = 0;  ///< RefineOptions::span_ratio
   Index max_control_points = 0;
   long max_fits = 0;  ///< 0: by the effort
   double smoothing = 1e-9;

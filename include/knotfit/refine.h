@@ -32,6 +32,9 @@ struct RefineOptions {
   /// references [METHOD 4].
   bool guard = true;
   int degree_u = 3, degree_v = 3;
+  /// Spans in u over spans in v that the size search grows with, 1/5 to 5 of it counts; 0: by the densities of the
+  /// error model [METHOD 4]. A map of a mesh knows it: MapQuality::aspect.
+  double span_ratio = 0;
   /// Most control points; 0: half of the points, and for scattered data at most 50 000.
   Index max_control_points = 0;
   /// Most linear fits of one search; 0: by the effort (placed knots 3 000; optimal: fast 2 000, balanced
@@ -81,7 +84,7 @@ struct RefineResult {
   std::vector<std::string> notes;  ///< what a user should know of the search, a sentence each
 };
 
-/// \throws InvalidInput  tolerance <= 0 or not finite, or below rounding of the data; unknown method
+/// \throws InvalidInput  tolerance <= 0 or not finite, a span ratio that is negative or not finite, or below rounding of the data; unknown method
 RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,
                                  const Control& control = {});
 

@@ -49,6 +49,7 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
   refine.guard = options.guard;
   refine.degree_u = options.degree_u;
   refine.degree_v = options.degree_v;
+  refine.span_ratio = options.span_ratio;
   refine.max_control_points = options.max_control_points;
   refine.max_fits = options.max_fits;
   refine.smoothing = options.smoothing;

@@ -37,6 +37,7 @@ class Attempts {
     return options_.max_control_points > 0 && options_.max_control_points <= data_.points().size();
   }
   const Tolerance& tolerance() const { return options_.tolerance; }
+  double span_ratio() const { return options_.span_ratio; }  ///< 0: not given
   /// Within the limit on control points, and what the data's own lines can tell apart.
   bool allowed(Index functions_u, Index functions_v) const;
 

@@ -49,6 +49,9 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
   if (t.value < largest * std::numeric_limits<double>::epsilon() / 2)
     throw InvalidInput(
         fmt::format("the tolerance {} is below the rounding of values as large as {}", t.value, largest));
+  if (!(options.span_ratio >= 0) || !std::isfinite(options.span_ratio))
+    throw InvalidInput(fmt::format(
+        "a ratio of spans of {}: it must be positive, or 0 for that of the error model", options.span_ratio));
   if (options.max_fits < 0) throw InvalidInput("the number of fits allowed is negative");
   const Index minimum = Index{options.degree_u + 1} * (options.degree_v + 1);
   if (options.max_control_points != 0 && options.max_control_points < minimum)

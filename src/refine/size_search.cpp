@@ -17,7 +17,7 @@ class SizeSearch {
         plateau_(plateau),
         m_(data.degree_u()),
         n_(data.degree_v()),
-        ratio_(span_ratio(fine)) {}
+        ratio_(attempts.span_ratio() > 0 ? std::clamp(attempts.span_ratio(), 0.2, 5.0) : span_ratio(fine)) {}
 
   Status run(std::optional<Spans> first) {
     if (first && allowed(*first)) attempts_.set_stage("size search");

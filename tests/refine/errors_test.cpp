@@ -47,6 +47,11 @@ TEST_P(Refused, LimitsBelowOnePatch) {
   options.max_control_points = -1;
   expect(options, "at most -1 control points");
   options = to_max_error(1e-2);
+  options.span_ratio = -1;
+  expect(options, "a ratio of spans of -1: it must be positive");
+  options.span_ratio = INFINITY;
+  expect(options, "a ratio of spans of inf");
+  options.span_ratio = 0;
   options.max_fits = -1;
   expect(options, "the number of fits allowed is negative");
 }

@@ -57,6 +57,20 @@ TEST(SizeSearch, ALooserToleranceNeedsNoMore) {
   }
 }
 
+TEST(SizeSearch, GrowsWithTheRatioOfSpansGiven) {
+  const ParameterizedPoints points = synthetic_points("peaks", 4000);
+  RefineOptions options = to_max_error(2e-3 * synthetic_diagonal(points));
+  const double given[] = {4, 0.25, 1, 1000, 1e-3};
+  const std::pair<int, int> first[] = {{8, 2}, {2, 8}, {4, 4}, {9, 2}, {2, 9}};  // held between 1/5 and 5
+  for (int k = 0; k < 5; ++k) {
+    options.span_ratio = given[k];
+    const RefineResult r = refine_to_tolerance(points, options);
+    EXPECT_EQ(r.tried.front().size_u, first[k].first + 3) << given[k];
+    EXPECT_EQ(r.tried.front().size_v, first[k].second + 3) << given[k];
+    expect_consistent(r, points, options);
+  }
+}
+
 TEST(SizeSearch, TakesOnePatchWhereThatHolds) {
   ParameterizedPoints points = synthetic_points("franke", 500);
   for (Index k = 0; k < points.size(); ++k) points.values[k] = points.u(k) * points.u(k) - points.v(k);
