@@ -30,7 +30,8 @@ Figures figures_of(const FitResult& result, const Stopwatch& watch) {
           {"measured", result.measured / result.tolerance},
           {"fits", result.fits},
           {"user", watch.user()},
-          {"wall", watch.wall()}};
+          {"wall", watch.wall()},
+          {"notes", result.notes}};
 }
 
 /// The whole call, with the honest numbers, and the truth beside them. All errors over the tolerance.
@@ -93,9 +94,7 @@ Figures by_route(const ParameterizedPoints& points, const ToleranceRequest& tole
   options.between = false;
   const Stopwatch watch;
   const FitResult result = fit_surface(points, options);
-  Figures figures = figures_of(result, watch);
-  figures["notes"] = result.notes;
-  return figures;
+  return figures_of(result, watch);
 }
 
 /// Files of samples/ and of the folder that KNOTFIT_DATA names.

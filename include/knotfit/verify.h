@@ -32,7 +32,8 @@ struct ThinPlace {
 };
 
 /// The surface between the points against a local polyharmonic reference [METHOD 4, "Between the
-/// points"]. Promised: error bar e <= tolerance / 2 and no hole (nearest point within 0.35 h).
+/// points"]. Promised: error bar e <= tolerance / 2 and no hole (nearest point within 0.35 h). The largest of the places
+/// tried are climbed from, so that `between` and `bound` are those of the tops and not of a sample.
 struct BetweenReport {
   bool measured = false;            ///< false where stopped or out of time: all else is empty then
   double between = 0;               ///< max |S - z*| over promised places

@@ -18,6 +18,9 @@ using verify::Place;
 using verify::ReferenceValue;
 
 constexpr double kPromise = 0.5;  // error bars up to this share of the tolerance are promised
+// A survey of 4 000 places missed the tops of the error by up to 12 % on the synthetic sets.
+constexpr std::size_t kSummits = 24;  // halved each round down to four
+constexpr int kClimbRounds = 6;
 
 // Stops where the caller does, or the time is over.
 class Watch {
@@ -60,34 +63,104 @@ void check(const Surface& surface, const ParameterizedPoints& points, double tol
                     surface.dimension(), points.dimension));
 }
 
-BetweenReport summarize(const Surface& surface, const std::vector<Place>& places,
-                        const std::vector<ReferenceValue>& reference, Index random_places, double tolerance) {
-  BetweenReport report;
-  report.measured = true;
-  report.places = static_cast<Index>(places.size());
-  std::vector<double> error(places.size(), 0);
-  parallel_chunks(report.places, [&](Index, Index begin, Index end) {
+/// Of places with their references: distance of the surface from them, infinity where it is not finite.
+std::vector<double> distances(const Surface& surface, const std::vector<Place>& places,
+                              const std::vector<ReferenceValue>& reference) {
+  std::vector<double> distance(places.size(), 0);
+  parallel_chunks(static_cast<Index>(places.size()), [&](Index, Index begin, Index end) {
     std::vector<double> at(static_cast<std::size_t>(surface.dimension()));
     for (Index i = begin; i < end; ++i) {
       verify::de_boor(surface, places[i][0], places[i][1], at);
-      error[i] = verify::distance(at, reference[i].value);
+      distance[i] = verify::distance(at, reference[i].value);
+      if (std::isnan(distance[i])) distance[i] = INFINITY;
     }
   });
+  return distance;
+}
+
+bool promised(const ReferenceValue& r, double tolerance) {
+  return r.error_bar <= kPromise * tolerance && r.gap <= verify::kHole;
+}
+
+/// A promised place, by its part of the bound.
+struct Candidate {
+  Place place;
+  double bound;
+};
+
+bool higher(const Candidate& a, const Candidate& b) {
+  return a.bound > b.bound;
+}
+
+void count_in(BetweenReport& report, const Place& place, double distance, double bound) {
+  report.bound = std::max(report.bound, bound);
+  if (report.promised > 0 && distance <= report.between) return;
+  report.between = distance;
+  report.worst_u = place[0], report.worst_v = place[1];
+}
+
+BetweenReport summarize(const Surface& surface, const std::vector<Place>& places,
+                        const std::vector<ReferenceValue>& reference, Index random_places, double tolerance,
+                        std::vector<Candidate>& candidates) {
+  BetweenReport report;
+  report.measured = true;
+  report.places = static_cast<Index>(places.size());
+  const std::vector<double> distance = distances(surface, places, reference);
   Index thin = 0;
   for (Index i = 0; i < report.places; ++i) {
     const ReferenceValue& r = reference[i];
-    if (!(r.error_bar <= kPromise * tolerance && r.gap <= verify::kHole)) {
+    if (!promised(r, tolerance)) {
       thin += i < random_places;
       report.thin_places.push_back({places[i][0], places[i][1], r.error_bar, r.gap});
       continue;
     }
-    const double e = std::isnan(error[i]) ? INFINITY : error[i];
-    report.bound = std::max(report.bound, e + 2 * r.error_bar);
-    if (report.promised++ == 0 || e > report.between)
-      report.between = e, report.worst_u = places[i][0], report.worst_v = places[i][1];
+    candidates.push_back({places[i], distance[i] + 2 * r.error_bar});
+    count_in(report, places[i], distance[i], candidates.back().bound);
+    ++report.promised;
   }
   if (random_places > 0) report.thin = static_cast<double>(thin) / static_cast<double>(random_places);
   return report;
+}
+
+/// The survey's largest candidates, no two within `apart`.
+std::vector<Candidate> summits(std::vector<Candidate> candidates, double apart) {
+  std::stable_sort(candidates.begin(), candidates.end(), higher);
+  std::vector<Candidate> chosen;
+  for (const Candidate& c : candidates) {
+    if (chosen.size() == kSummits) break;
+    if (std::none_of(chosen.begin(), chosen.end(), [&](const Candidate& o) {
+          return std::hypot(o.place[0] - c.place[0], o.place[1] - c.place[1]) < apart;
+        }))
+      chosen.push_back(c);
+  }
+  return chosen;
+}
+
+/// Climbs from the survey's largest places to the tops between them: the best of eight places about each, again at
+/// half the radius and from half as many. \return false where it was stopped
+bool climb(BetweenReport& report, std::vector<Candidate> at, double radius, const Surface& surface,
+           const verify::ReferenceField& field, double tolerance, const std::function<bool()>& go_on) {
+  for (int round = 0; round < kClimbRounds && !at.empty(); ++round, radius /= 2) {
+    std::vector<Place> places;
+    for (const Candidate& c : at)
+      for (int du : {-1, 0, 1})
+        for (int dv : {-1, 0, 1})
+          if (du != 0 || dv != 0)
+            places.push_back({std::clamp(c.place[0] + du * radius, 0.0, 1.0),
+                              std::clamp(c.place[1] + dv * radius, 0.0, 1.0)});
+    const std::vector<ReferenceValue> reference = field.at(places, [&](Index) { return go_on(); });
+    if (reference.size() != places.size()) return false;
+    const std::vector<double> distance = distances(surface, places, reference);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!promised(reference[i], tolerance)) continue;
+      const double bound = distance[i] + 2 * reference[i].error_bar;
+      count_in(report, places[i], distance[i], bound);
+      if (bound > at[i / 8].bound) at[i / 8] = {places[i], bound};
+    }
+    std::stable_sort(at.begin(), at.end(), higher);
+    at.resize(std::min(at.size(), std::max<std::size_t>(4, at.size() / 2)));
+  }
+  return true;
 }
 
 }  // namespace
@@ -110,7 +183,13 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
     return !watch.over();
   });
   if (reference.size() != places.size()) return {};
-  BetweenReport report = summarize(surface, places, reference, options.random_places, tolerance);
+  std::vector<Candidate> candidates;
+  BetweenReport report = summarize(surface, places, reference, options.random_places, tolerance, candidates);
+  // The distance between places of the survey, about: below it nothing is known of the surface yet.
+  const double spacing = 1 / std::sqrt(static_cast<double>(std::max<Index>(1, report.places)));
+  if (!climb(report, summits(std::move(candidates), 2 * spacing), spacing / 2, surface, field, tolerance,
+             [&] { return !watch.over(); }))
+    return {};
   report.noise = field.noise();
   watch.report(report.places, tolerance);
   return report;

@@ -53,8 +53,8 @@ void same(const BetweenReport& a, const BetweenReport& b) {
     EXPECT_EQ(a.thin_places[i].error_bar, b.thin_places[i].error_bar);
 }
 
-// The measure follows the true error over the whole domain, which it cannot see: 4000 places against 160 000,
-// so a little below it, and the bound not far below.
+// The measure follows the true error over the whole domain, which it cannot see: it climbs to the tops from the largest of
+// 4000 places, so it is hardly below the largest of 160 000.
 TEST(Between, FollowsTheTrueErrorOverTheDomain) {
   for (const std::string name : {"franke", "peaks", "torus"})
     for (int spans : {12, 50}) {
@@ -64,7 +64,7 @@ TEST(Between, FollowsTheTrueErrorOverTheDomain) {
       const BetweenReport report = measure_between(surface, points, tolerance);
       const double truth = true_max(surface, name);
       ASSERT_TRUE(report.measured);
-      EXPECT_GT(report.between, 0.9 * truth) << name << spans;
+      EXPECT_GT(report.between, 0.985 * truth) << name << spans;
       EXPECT_LT(report.between, 1.02 * truth) << name << spans;
       EXPECT_GE(report.bound, report.between);
       EXPECT_EQ(report.noise, 0);
