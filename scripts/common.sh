@@ -24,7 +24,7 @@ summary() {
 }
 
 # Configures a build folder: configure PRESET FOLDER [cmake options]; ccache where it is there. A
-# warning fails it: a test program whose files are missing is only warned of.
+# warning fails it too.
 configure() {
   local preset=$1 folder=$2
   shift 2

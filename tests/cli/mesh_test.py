@@ -1,9 +1,11 @@
 """Meshes from outside: read, repaired, mapped, fitted and written."""
 
 import math
+import os
 import struct
 import unittest
 import xml.etree.ElementTree
+from pathlib import Path
 
 from harness import BAD, SAMPLES, SOURCE, ToolTest, wave
 
@@ -67,6 +69,18 @@ class BadMeshes(MeshTest):
                     message = self.refused(command, BAD / name, "-o", "out.csv", words=[name, *words])
                     self.assertLess(len(message), 500)
                 self.assertEqual(self.files(), [])
+
+    def test_each_has_a_message_of_its_own(self):
+        said = {self.refused("fit", BAD / name, "-o", "out.csv").split(name, 1)[1] for name in self.WORDS}
+        self.assertEqual(len(said), len(self.WORDS))
+
+    def test_a_closed_mesh_is_to_be_cut_open(self):
+        closed = Path(os.environ.get("KNOTFIT_DATA", "")) / "bad_closed.off"
+        if not closed.is_file():
+            self.skipTest("KNOTFIT_DATA has no bad_closed.off")
+        for command in ("fit", "parameterize"):
+            self.refused(command, closed, "-o", "out.csv", words=["bad_closed.off", "no boundary loop", "cut it open"])
+        self.assertEqual(self.files(), [])
 
     def test_what_the_message_names_mends_them(self):
         for name, option in (("bad_two_parts.obj", "--largest-part"), ("bad_bowtie.off", "--largest-part"),
