@@ -12,9 +12,9 @@ namespace knotfit::tool {
 struct FitReport {
   const FitResult& result;
   const FitInput& input;
-  const FitChoices& choices;       ///< completed
+  const FitChoices& choices;           ///< completed
   const MeshFit* corrected = nullptr;  ///< null: the parameters were taken as they are
-  bool default_tolerance = false;  ///< no tolerance, size or knots were given
+  bool default_tolerance = false;      ///< no tolerance, size or knots were given
   double seconds = 0;
   long long peak_memory_bytes = 0;
   std::vector<std::string> outputs;  ///< files written

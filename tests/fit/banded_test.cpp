@@ -78,7 +78,8 @@ TEST(BandMatrix, ForwardSolvesEveryColumnOfAPanel) {
 
 TEST(BandMatrix, SolvesAsTheFullMatrix) {
   Random random;
-  for (const auto& [n, bandwidth] : {std::pair<Index, Index>{1, 0}, {6, 2}, {40, 7}, {200, 30}, {200, 80}, {5, 9}})
+  for (const auto& [n, bandwidth] :
+       {std::pair<Index, Index>{1, 0}, {6, 2}, {40, 7}, {200, 30}, {200, 80}, {5, 9}})
     for (Index columns : {1, 3}) {
       auto [band, full] = random_matrix(random, n, bandwidth);
       const Eigen::MatrixXd x = Eigen::MatrixXd::Random(n, columns), b = full * x;
