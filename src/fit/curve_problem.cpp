@@ -116,47 +116,4 @@ double CurveProblem::measured(const Tolerance& tolerance) const {
   return std::isfinite(phi_) ? measured_error(errors(), tolerance) : phi_;
 }
 
-double foot_parameter(const Curve& curve, bool closed, double start, const double* point) {
-  const double first = curve.knots().first(), last = curve.knots().last();
-  const int d = curve.dimension();
-  const auto inside = [&](double t) {
-    if (!closed) return std::clamp(t, first, last);
-    return t - (last - first) * std::floor((t - first) / (last - first));
-  };
-  const auto squared = [&](const std::vector<double>& c) {
-    double sum = 0;
-    for (int e = 0; e < d; ++e) sum += (c[e] - point[e]) * (c[e] - point[e]);
-    return sum;
-  };
-  double t = start;
-  std::vector<double> c = evaluate_derivatives(curve, t, 2);
-  double distance = squared(c);
-  for (int round = 0; round < 20; ++round) {
-    double slope = 0, bend = 0, speed = 0;
-    for (int e = 0; e < d; ++e) {
-      slope += (c[e] - point[e]) * c[d + e];
-      bend += (c[e] - point[e]) * c[2 * d + e];
-      speed += c[d + e] * c[d + e];
-    }
-    if (!(speed > 0)) break;
-    // Where Newton would climb, the tangent's step.
-    double step = -slope / (speed + bend > 0.1 * speed ? speed + bend : speed);
-    bool moved = false;
-    for (int halving = 0; halving < 8; ++halving, step /= 2) {
-      const double next = inside(t + step);
-      if (next == t) break;
-      std::vector<double> there = evaluate_derivatives(curve, next, 2);
-      if (const double reached = squared(there); reached < distance) {
-        moved = distance - reached > 1e-14 * distance;
-        t = next;
-        c = std::move(there);
-        distance = reached;
-        break;
-      }
-    }
-    if (!moved) break;
-  }
-  return t;
-}
-
 }  // namespace knotfit

@@ -42,8 +42,4 @@ class CurveProblem {
   long fits_ = 0;
 };
 
-/// The parameter near `start` whose point is nearest to P: Newton on |C - P|^2 with steps halved until it falls
-/// [Piegl97 6.1]; an open curve's stays in its domain, a closed one's goes round.
-double foot_parameter(const Curve& curve, bool closed, double start, const double* point);
-
 }  // namespace knotfit

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "correct/curve_feet.h"
 #include "fit/curve_problem.h"
 #include "knotfit/errors.h"
 #include "pipeline/frame.h"
@@ -102,10 +103,11 @@ class CurveFitter {
     for (int round = 0; round < options_.corrections && !stopped(); ++round) {
       if (!problem.solve(knots)) break;
       const double before = problem.phi();
+      std::vector<double> feet;
+      for (double t : points.t) feet.push_back(problem.on_curve(t));
+      correction::curve_feet(problem.curve(), points.closed, points.values, feet);
       for (Index k = 0; k < points.size(); ++k) {
-        double t =
-            foot_parameter(problem.curve(), points.closed, problem.on_curve(points.t[k]), points.value(k));
-        if (points.closed) t -= std::floor(t);
+        const double t = points.closed ? feet[k] - std::floor(feet[k]) : feet[k];
         moved |= t != points.t[k];
         points.t[k] = t;
       }

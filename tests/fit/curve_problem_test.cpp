@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 
 #include "knotfit/basis.h"
 #include "support/random_splines.h"
@@ -87,40 +86,6 @@ TEST(CurveProblem, AClosedCurveNeedsEnoughKnots) {
   CurveProblem problem(random_points(random, 40, 2, true), 3, 1e-12);
   EXPECT_FALSE(problem.solve({0.1, 0.4, 0.7}));
   EXPECT_TRUE(problem.solve({0.1, 0.4, 0.7, 0.8}));
-}
-
-TEST(FootParameter, IsTheNearestPlace) {
-  // A quarter of a parabola: the foot is known by a fine search.
-  const Curve curve(KnotVector::uniform(2, 0), 2, {0, 0, 0.5, 0, 1, 1});
-  Random random(6);
-  for (int run = 0; run < 50; ++run) {
-    const double point[2] = {random.uniform(-0.2, 1.2), random.uniform(-0.2, 0.4)};
-    double best = 0, least = INFINITY;
-    for (int k = 0; k <= 20000; ++k) {
-      const double t = k / 20000.0, distance = std::hypot(t - point[0], t * t - point[1]);
-      if (distance < least) {
-        least = distance;
-        best = t;
-      }
-    }
-    const double found = foot_parameter(curve, false, std::min(1.0, std::max(0.0, best + 0.05)), point);
-    EXPECT_NEAR(std::hypot(found - point[0], found * found - point[1]), least, 1e-8);
-  }
-}
-
-TEST(FootParameter, GoesRoundAClosedCurve) {
-  CurvePoints points;
-  points.closed = true;
-  for (int k = 0; k < 60; ++k) {
-    points.t.push_back(k / 60.0);
-    points.values.insert(points.values.end(),
-                         {std::cos(2 * std::numbers::pi * k / 60), std::sin(2 * std::numbers::pi * k / 60)});
-  }
-  CurveProblem problem(points, 3, 1e-12);
-  ASSERT_TRUE(problem.solve({0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}));
-  const double angle = -0.02, point[2] = {1.2 * std::cos(angle), 1.2 * std::sin(angle)};
-  const double t = foot_parameter(problem.curve(), true, 0.01, point);
-  EXPECT_NEAR(t, 1 + angle / (2 * std::numbers::pi), 1e-3);
 }
 
 }  // namespace
