@@ -71,6 +71,26 @@ TEST_F(BadCad, AnIgesFileThatIsCutOffIsAnError) {
   EXPECT_EQ(read_cad(put(dos, "dos.igs")).front(), sheet());
 }
 
+// OpenCASCADE 7.6 crashes on both.
+TEST_F(BadCad, EmptyListsAndCirclesOfReferencesAreErrors) {
+  const std::string text = text_of(CadFormat::step_ap242);
+  const std::size_t curve = text.find("SURFACE_CURVE('',#"), list = text.find(",(#", curve);
+  std::string empty = text;
+  empty.erase(list + 2, empty.find(')', list) - list - 2);
+  refused(empty, "a list of SURFACE_CURVE is empty");
+  const std::size_t begin = text.rfind('#', curve), first = curve + 17, comma = text.find(',', first);
+  std::string round = text;
+  const std::string itself = text.substr(begin, text.find(' ', begin) - begin);
+  round.replace(first, comma - first, itself);
+  refused(round, "entity " + itself + " leads back to itself");
+  // By way of another: the edge that leads to the curve.
+  const std::size_t edge = text.rfind("EDGE_CURVE(", curve), edge_id = text.rfind('#', edge);
+  ASSERT_NE(edge, std::string::npos);
+  round = text;
+  round.replace(first, comma - first, text.substr(edge_id, text.find(' ', edge_id) - edge_id));
+  refused(round, "leads back to itself");
+}
+
 TEST_F(BadCad, ARationalSurfaceIsRefusedByName) {
   // Weights of an IGES surface: one of them doubled.
   std::string text = text_of(CadFormat::iges);

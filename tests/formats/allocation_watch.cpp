@@ -19,13 +19,15 @@ void raise_to(std::atomic<std::size_t>& most, std::size_t size) {
 }  // namespace
 }  // namespace knotfit::test
 
-[[gnu::noinline]] void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   using namespace knotfit::test;
   raise_to(largest_request, size);
-  if (void* p = std::malloc(size > 0 ? size : 1)) {
-    raise_to(peak_bytes, live_bytes += malloc_usable_size(p));
-    return p;
-  }
+  void* const p = std::malloc(size > 0 ? size : 1);
+  if (p != nullptr) raise_to(peak_bytes, live_bytes += malloc_usable_size(p));
+  return p;
+}
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  if (void* p = operator new(size, std::nothrow)) return p;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void operator delete(void* p) noexcept {
@@ -33,5 +35,8 @@ void raise_to(std::atomic<std::size_t>& most, std::size_t size) {
   std::free(p);
 }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
+  operator delete(p);
+}
+[[gnu::noinline]] void operator delete(void* p, const std::nothrow_t&) noexcept {
   operator delete(p);
 }

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <IFSelect_WorkLibrary.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Check.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <Interface_Protocol.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepGeom_Curve.hxx>
 #include <StepGeom_Pcurve.hxx>
@@ -10,6 +13,7 @@
 #include <StepRepr_RepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Shape.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include "formats/cad/occt.h"
 #include "knotfit/errors.h"
@@ -41,13 +45,24 @@ void check_loaded(const Handle(Interface_InterfaceModel) & model, const std::str
   }
 }
 
+/// Reader::ReadFile with the check in its middle: the graph of references that it makes at once crashes on lists that
+/// could not be loaded.
+template <class Reader>
+void load(Reader& reader, const std::string& file, const std::string& path, const char* name) {
+  const Handle(XSControl_WorkSession) session = reader.WS();
+  Handle(Interface_InterfaceModel) model;
+  if (session->WorkLibrary()->ReadFile(file.c_str(), model, session->Protocol()) != 0 || model.IsNull())
+    throw FileError(path, fmt::format("OpenCASCADE cannot read it as {}", name));
+  check_loaded(model, path);
+  session->SetModel(model);
+  session->SetLoadedFile(file.c_str());
+  session->InitTransferReader(4);
+}
+
 template <class Reader>
 void read_with(const std::string& file, const std::string& path, const char* name, TopoDS_Shape& shape) {
   Reader reader;
-  const IFSelect_ReturnStatus status = reader.ReadFile(file.c_str());
-  if (status != IFSelect_RetDone)
-    throw FileError(path, fmt::format("OpenCASCADE cannot read it as {}", name));
-  check_loaded(reader.Model(), path);
+  load(reader, file, path, name);
   reader.TransferRoots();
   if (reader.NbShapes() == 0) throw FileError(path, "holds no B-spline surface: no shape at all");
   shape = reader.OneShape();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "formats/number.h"
@@ -23,10 +24,24 @@ bool is_word(char c) {
   return is_digit(c) || c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
+/// Types of geometry and topology: their lists hold something [ISO 10303-42], and OpenCASCADE crashes on those that do
+/// not.
+bool has_full_lists(std::string_view type) {
+  constexpr std::string_view words[] = {"BREP",          "CURVE",  "DIRECTION", "FACE",
+                                        "GEOMETRIC_SET", "LOOP",   "POINT",     "POLY",
+                                        "SHELL",         "SPLINE", "SURFACE",   "TRANSFORM"};
+  return std::any_of(std::begin(words), std::end(words),
+                     [&](std::string_view word) { return type.find(word) != std::string_view::npos; });
+}
+
 struct Place {
   Index id = 0;
   long long line = 0;
   bool operator<(const Place& other) const { return id < other.id; }
+};
+/// Entity number `from` of those defined names entity `id`.
+struct Reference : Place {
+  std::size_t from = 0;
 };
 
 class Scanner {
@@ -122,7 +137,8 @@ class Scanner {
       pass_string();
     } else if (c == '#') {
       const long long line = line_;
-      used_.push_back({reference(), line});
+      const Index id = reference();
+      used_.push_back({{id, line}, defined_.size() - 1});
     } else if (is_digit(c) || c == '-' || c == '+') {
       pass_number();
     } else if (c == '$' || c == '*') {
@@ -148,6 +164,7 @@ class Scanner {
     if (depth > kDeepest) fail("lists are nested too deep");
     expect('(', "( is missing");
     if (pass_blanks() && *p_ == ')') {
+      if (depth > 0 && has_full_lists(type_)) fail(fmt::format("a list of {} is empty", type_));
       ++p_;
       return;
     }
@@ -157,18 +174,17 @@ class Scanner {
       if (*p_++ == ')') return;
     }
   }
+  void simple_entity() {
+    type_ = keyword();
+    if (type_.empty()) fail("an entity has no type");
+    list(0);
+  }
   /// TYPE(...), or (TYPE(...) TYPE(...)) of an entity of several types.
   void entity() {
     if (!pass_blanks()) fail("an entity has no type");
-    if (*p_ != '(') {
-      if (keyword().empty()) fail("an entity has no type");
-      return list(0);
-    }
+    if (*p_ != '(') return simple_entity();
     ++p_;
-    while (pass_blanks() && *p_ != ')') {
-      if (keyword().empty()) fail("an entity has no type");
-      list(0);
-    }
+    while (pass_blanks() && *p_ != ')') simple_entity();
     expect(')', "an entity has no end");
   }
   void data_section() {
@@ -187,22 +203,65 @@ class Scanner {
     }
     fail("the DATA section has no end");
   }
-  void check_references() {
-    std::sort(defined_.begin(), defined_.end());
-    for (std::size_t k = 1; k < defined_.size(); ++k)
-      if (defined_[k].id == defined_[k - 1].id)
-        throw FileError(path_, std::max(defined_[k].line, defined_[k - 1].line),
-                        fmt::format("entity #{} is there twice", defined_[k].id));
-    for (const Place& use : used_)
-      if (!std::binary_search(defined_.begin(), defined_.end(), use))
+  void check_references() const {
+    std::vector<std::size_t> order(defined_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return defined_[a].id < defined_[b].id; });
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      const Place &a = defined_[order[k - 1]], &b = defined_[order[k]];
+      if (a.id == b.id)
+        throw FileError(path_, std::max(a.line, b.line), fmt::format("entity #{} is there twice", a.id));
+    }
+    std::vector<std::size_t> to;  // of each reference, the number of the entity it names
+    for (const Reference& use : used_) {
+      const auto found = std::lower_bound(order.begin(), order.end(), use.id,
+                                          [&](std::size_t k, Index id) { return defined_[k].id < id; });
+      if (found == order.end() || defined_[*found].id != use.id)
         throw FileError(path_, use.line, fmt::format("entity #{} is not there", use.id));
+      to.push_back(*found);
+    }
+    check_no_cycle(to);
+  }
+  /// Entities that lead back to themselves keep OpenCASCADE going round until its stack is full. References come in
+  /// the order of the entities that they are of.
+  void check_no_cycle(const std::vector<std::size_t>& to) const {
+    std::vector<std::size_t> begin(defined_.size() + 1, 0);
+    for (const Reference& use : used_) ++begin[use.from + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    enum class State : char { fresh, open, done };
+    std::vector<State> state(defined_.size(), State::fresh);
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1), way;
+    for (std::size_t root = 0; root < defined_.size(); ++root) {
+      if (state[root] != State::fresh) continue;
+      way.push_back(root);
+      state[root] = State::open;
+      while (!way.empty()) {
+        const std::size_t k = way.back();
+        if (next[k] == begin[k + 1]) {
+          state[k] = State::done;
+          way.pop_back();
+          continue;
+        }
+        const std::size_t child = to[next[k]++];
+        if (state[child] == State::open)
+          throw FileError(path_, used_[next[k] - 1].line,
+                          fmt::format("entity #{} leads back to itself", defined_[child].id));
+        if (state[child] == State::fresh) {
+          state[child] = State::open;
+          way.push_back(child);
+        }
+      }
+    }
   }
 
   const char* p_;
   const char* end_;
   const std::string& path_;
   long long line_ = 1;
-  std::vector<Place> defined_, used_;
+  std::string_view type_;  ///< of the entity that is being read
+  std::vector<Place> defined_;
+  std::vector<Reference> used_;
 };
 
 }  // namespace
