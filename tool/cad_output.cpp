@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "knotfit/errors.h"
+#include "knotfit/io.h"
 namespace knotfit::tool {
 namespace {
 
@@ -50,8 +51,7 @@ void check_cad_output(const OutputFile& file, int dimension, bool height_field) 
 void write_cad_file(const OutputFile& file, bool force, const Surface& surface, const ParameterMap& map,
                     bool height_field, const CadChoices& choices) {
   check_cad_output(file, surface.dimension(), height_field);
-  const Surface in_space =
-      height_field ? height_field_in_space(surface, map.u0, map.u1, map.v0, map.v1) : surface;
+  const Surface in_space = height_field ? height_field_in_space(surface, map) : surface;
   CadOptions options;
   options.format = format_of(file, choices);
   options.unit = choices.unit.value_or(CadUnit::millimetre);

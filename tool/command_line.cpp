@@ -133,6 +133,13 @@ void add_tolerance_options(CLI::App& app, FitChoices& c) {
       "Degree along u and v, 1 to 9; default 3. auto: 3, 4 and 5 are tried, and the fewest control points "
       "win",
       group, [&](const std::string& t) { c.degree = parse_degree(t); });
+  add(app, "--shear", "auto|off|A|v:A",
+      "Oblique parameters for the oblique features of a height field: u + A v in place of u (v:A: v + A u), "
+      "A from -1 "
+      "to 1; auto finds A, fits with it and without, and keeps the smaller surface. The parameters change, "
+      "and the "
+      "corners of the surface lie beyond the data; default off",
+      group, [&](const std::string& t) { c.shear = parse_shear(t); });
   add(app, "--max-control-points", "N",
       "Most control points; default: half of the points, for scattered "
       "data at most 50000",

@@ -41,10 +41,9 @@ std::vector<double> points_of(const SourceData& data) {
 }
 
 Surface in_space(const SurfaceDocument& document, const std::string& path) {
-  const ParameterMap& m = document.map;
   if (document.surface.dimension() == 3) return document.surface;
   if (document.height_field && document.surface.dimension() == 1)
-    return height_field_in_space(document.surface, m.u0, m.u1, m.v0, m.v1);
+    return height_field_in_space(document.surface, document.map);
   throw InvalidInput(fmt::format("{}: the surface has {} coordinates; distances are of surfaces in space",
                                  path, document.surface.dimension()));
 }
@@ -73,14 +72,15 @@ Json to_json(const DistanceSummary& s, const ParameterMap& map) {
           {"p995", s.p995},
           {"worst",
            {{"index", s.worst},
-            {"at", {map.from_u(s.worst_u), map.from_v(s.worst_v)}},
+            {"at", map.from_uv(s.worst_u, s.worst_v)},
             {"point", {s.worst_point[0], s.worst_point[1], s.worst_point[2]}}}}};
 }
 
 std::string to_text(const char* title, const DistanceSummary& s, const ParameterMap& map, double diagonal,
                     bool with_sign) {
+  const auto [a, b] = map.from_uv(s.worst_u, s.worst_v);
   std::string text = fmt::format("{}: rms {:.6g}, max {:.6g} at {} = {:.6g}, {} = {:.6g}", title, s.rms,
-                                 s.max, map.name_u, map.from_u(s.worst_u), map.name_v, map.from_v(s.worst_v));
+                                 s.max, map.name_u, a, map.name_v, b);
   if (diagonal > 0)
     text += fmt::format("\n  of the diagonal: rms {:.4g} %, max {:.4g} %", 100 * s.rms / diagonal,
                         100 * s.max / diagonal);
@@ -105,8 +105,9 @@ Table table_of_distances(const std::vector<double>& points, const PointDistances
   std::vector<double> columns[6];
   for (std::size_t k = 0; k < d.signed_distances.size(); ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) columns[axis].push_back(points[3 * k + axis]);
-    columns[3].push_back(map.from_u(d.uv[2 * k]));
-    columns[4].push_back(map.from_v(d.uv[2 * k + 1]));
+    const auto [a, b] = map.from_uv(d.uv[2 * k], d.uv[2 * k + 1]);
+    columns[3].push_back(a);
+    columns[4].push_back(b);
     columns[5].push_back(d.signed_distances[k]);
   }
   const char* names[6] = {"x", "y", "z", "u", "v", "distance"};

@@ -9,6 +9,7 @@
 #include "exit_status.h"
 #include "fit_report.h"
 #include "knotfit/errors.h"
+#include "knotfit/fit_sheared.h"
 #include "knotfit/fit_surface.h"
 #include "knotfit/io.h"
 #include "knotfit/threads.h"
@@ -53,6 +54,7 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   if (default_tolerance) c.tolerance = kDefaultTolerance;
   if (!c.measure) c.measure = MeasureValue{};
   if (!c.degree) c.degree = IntegerPair{3, 3};
+  if (!c.shear) c.shear = ShearChoice{};
   if (!c.refine) c.refine = RefineRoute::search;
   if (!c.effort) c.effort = FitOptions{}.effort;
   if (!c.guard) c.guard = FitOptions{}.guard;
@@ -294,6 +296,14 @@ int run_fit(const FitArguments& arguments) {
       result = corrected.result;
       input.points = corrected.points;
       input.all_points = {};
+    } else if (choices.shear->asked()) {
+      std::optional<Shear> shear;
+      if (!choices.shear->automatic) shear = Shear{choices.shear->u, choices.shear->v};
+      ShearedFit fit = fit_sheared(input.points, fit_options(choices, input), shear, control);
+      result = std::move(fit.result);
+      if (result.map.sheared() && input.all_points.size() > 0)
+        input.all_points = sheared(input.all_points, result.map.shear_u, result.map.shear_v);
+      input.points = std::move(fit.points);
     } else {
       result = fit_surface(input.points, fit_options(choices, input), control);
     }

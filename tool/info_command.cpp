@@ -189,6 +189,7 @@ Json surface_json(const SurfaceDocument& document, const std::string& path) {
             {"height_field", document.height_field}};
   j["knots"] = {{"u", s.knots_u().knots()}, {"v", s.knots_v().knots()}};
   j["domain"] = {{map.name_u, {map.u0, map.u1}}, {map.name_v, {map.v0, map.v1}}};
+  if (map.sheared()) j["shear"] = {{"u", map.shear_u}, {"v", map.shear_v}};
   j["net_bounds"] = Json::array();
   for (const auto& [least, most] : net_box(s)) j["net_bounds"].push_back({least, most});
   j["options"] = parsed(document.options);
@@ -226,6 +227,9 @@ std::string surface_text(const SurfaceDocument& document, const std::string& nam
                       s.knots_v().interior().size());
   text += fmt::format("domain: {} {} to {}, {} {} to {}\n", map.name_u, map.u0, map.u1, map.name_v, map.v0,
                       map.v1);
+  if (map.sheared())
+    text += fmt::format("oblique parameters: {} = {:.6g}\n", map.shear_u != 0 ? "shear of u" : "shear of v",
+                        map.shear_u != 0 ? map.shear_u : map.shear_v);
   text += "control net:";
   for (const auto& [least, most] : net_box(s)) text += fmt::format(" [{}, {}]", least, most);
   return text + "\n" + making_text(document);

@@ -23,8 +23,9 @@ Json error_of(const FitReport& r) {
     const Index line = points.source.empty() ? e.worst + 1 : points.source[e.worst];
     worst = {{"index", e.worst}, {"line", line}, {"u", number(e.worst_u)}, {"v", number(e.worst_v)}};
     if (!r.result.map.identity()) {
-      worst[r.result.map.name_u == "x" ? "x" : "given_u"] = number(r.result.map.from_u(e.worst_u));
-      worst[r.result.map.name_v == "y" ? "y" : "given_v"] = number(r.result.map.from_v(e.worst_v));
+      const auto [a, b] = r.result.map.from_uv(e.worst_u, e.worst_v);
+      worst[r.result.map.name_u == "x" ? "x" : "given_u"] = number(a);
+      worst[r.result.map.name_v == "y" ? "y" : "given_v"] = number(b);
     }
   }
   return {{"rms", number(e.rms)},       {"max", number(e.max)}, {"mean", number(e.mean)},
@@ -133,6 +134,8 @@ std::string report_to_json(const FitReport& r) {
   j["control_points"] = s.empty() ? 0 : s.control_point_count();
   j["degree"] = {s.degree_u(), s.degree_v()};
   j["knots"] = {{"u", s.knots_u().knots()}, {"v", s.knots_v().knots()}};
+  if (const ParameterMap& map = r.result.map; map.sheared())
+    j["shear"] = {{"u", map.shear_u}, {"v", map.shear_v}};
   add_outcome(j, r);
   j["seconds"] = number(r.seconds);
   j["peak_memory_bytes"] = r.peak_memory_bytes;

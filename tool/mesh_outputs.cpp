@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "knotfit/errors.h"
+#include "knotfit/io.h"
 #include "knotfit/mesh_io.h"
 namespace knotfit::tool {
 
@@ -17,9 +18,7 @@ void write_surface_mesh(const OutputFile& file, bool force, const Surface& surfa
                         bool height_field, int samples_per_span, const ParameterizedPoints* points,
                         std::span<const double> errors) {
   check_surface_mesh(file, surface.dimension(), height_field);
-  Tessellation t =
-      tessellate(height_field ? height_field_in_space(surface, map.u0, map.u1, map.v0, map.v1) : surface,
-                 samples_per_span);
+  Tessellation t = tessellate(height_field ? height_field_in_space(surface, map) : surface, samples_per_span);
   t.map = map;
   if (points != nullptr) add_errors(t, *points, errors);
   write_file(file.path, force, [&](std::ostream& out) {

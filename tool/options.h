@@ -38,6 +38,13 @@ struct KnotSource {
   std::optional<InteriorKnots> given;
 };
 
+/// --shear: none, found, or given.
+struct ShearChoice {
+  bool automatic = false;
+  double u = 0, v = 0;  ///< both 0: none, unless automatic
+  bool asked() const { return automatic || u != 0 || v != 0; }
+};
+
 /// --corners: a rule, or four vertices by number or place.
 struct CornerChoice {
   CornerRule rule = CornerRule::automatic;
@@ -74,6 +81,7 @@ struct FitChoices {
   std::optional<IntegerPair> control_points;
   std::optional<KnotSource> knots;
   std::optional<IntegerPair> degree;  ///< 0 x 0: auto
+  std::optional<ShearChoice> shear;
   std::optional<RefineRoute> refine;
   std::optional<Effort> effort;
   std::optional<bool> guard;

@@ -195,6 +195,10 @@ const std::vector<Row>& table() {
           [](const IntegerPair& d) {
             return d.first == 3 && d.second == 3 ? std::string() : "--degree " + degree_text(d);
           }),
+      row<ShearChoice>(
+          "shear", &FitChoices::shear, [](const ShearChoice& s) { return Json(shear_text(s)); },
+          [](const Json& j) { return parse_shear(j.get<std::string>()); },
+          [](const ShearChoice& s) { return s.asked() ? "--shear " + shear_text(s) : ""; }),
       named("refine", &FitChoices::refine, kRoutes, RefineRoute::search, "--refine"),
       named("effort", &FitChoices::effort, kEfforts, Effort::balanced, "--effort"),
       flag("guard", &FitChoices::guard, true, "--guard off"),

@@ -132,6 +132,19 @@ Raster grid_over(const ParameterMap& map, std::pair<double, double> cell) {
 }
 
 void fill_heights(Raster& grid, const Surface& surface, const ParameterMap& map) {
+  if (map.sheared()) {
+    std::vector<double> uv;
+    uv.reserve(static_cast<std::size_t>(2 * grid.rows * grid.columns));
+    for (Index r = 0; r < grid.rows; ++r)
+      for (Index c = 0; c < grid.columns; ++c)
+        for (const double x : map.to_uv(grid.x(c), grid.y(r))) uv.push_back(std::clamp(x, 0.0, 1.0));
+    grid.z = evaluate(surface, uv);
+    for (Index k = 0; k < grid.rows * grid.columns; ++k)
+      if (const auto [u, v] = map.to_uv(grid.x(k % grid.columns), grid.y(k / grid.columns));
+          !map.covers(u, v))
+        grid.z[k] = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
   std::vector<double> u(grid.columns), v(grid.rows);
   for (Index c = 0; c < grid.columns; ++c) u[c] = map.to_u(grid.x(c));
   for (Index r = 0; r < grid.rows; ++r) v[grid.rows - 1 - r] = map.to_v(grid.y(r));

@@ -115,9 +115,12 @@ Places find_places(const EvalArguments& arguments, const SurfaceDocument& docume
 std::vector<double> parameters_of(const Places& places, const ParameterMap& map, bool clamp) {
   std::vector<double> uv(2 * places.a.size());
   for (Index k = 0; k < places.size(); ++k) {
-    uv[2 * k] = inside(places.a[k], map.to_u(places.a[k]), map.u0, map.u1, clamp);
-    uv[2 * k + 1] = inside(places.b[k], map.to_v(places.b[k]), map.v0, map.v1, clamp);
-    if (std::isnan(uv[2 * k]) || std::isnan(uv[2 * k + 1]))
+    const double s = inside(places.a[k], map.to_u(places.a[k]), map.u0, map.u1, clamp);
+    const double t = inside(places.b[k], map.to_v(places.b[k]), map.v0, map.v1, clamp);
+    const auto [u, v] = map.shear(s, t);
+    uv[2 * k] = std::min(u, 1.0);
+    uv[2 * k + 1] = std::min(v, 1.0);
+    if (std::isnan(s) || std::isnan(t))
       throw InvalidInput(fmt::format(
           "{}{}: {},{} is outside the domain {} in [{}, {}], {} in [{}, {}]; --clamp moves it to the border",
           places.source, places.line.empty() ? std::string() : fmt::format(":{}", places.line[k]),

@@ -19,25 +19,43 @@ std::string derivative_name(const std::string& component, const ParameterMap& ma
   return order.first + order.second == 0 ? component : name;
 }
 
+/// d^(p+q) / (ds^p dt^q) of the user's square (s, t) as a sum over the derivatives in (u, v): the entry k is the
+/// factor of that with k orders in v. The map is linear, so that the chain rule is a product of polynomials.
+std::vector<double> derivative_terms(const ParameterMap& map, IntegerPair order) {
+  const double u = 1 / (1 + std::abs(map.shear_u)), v = 1 / (1 + std::abs(map.shear_v));
+  std::vector<double> terms{1};
+  const auto times = [&](double of_u, double of_v) {
+    terms.push_back(0);
+    for (std::size_t k = terms.size() - 1; k > 0; --k) terms[k] = of_u * terms[k] + of_v * terms[k - 1];
+    terms[0] *= of_u;
+  };
+  for (int i = 0; i < order.first; ++i) times(u, map.shear_v * v);
+  for (int i = 0; i < order.second; ++i) times(map.shear_u * u, v);
+  return terms;
+}
+
 void add_components(Table& table, const SurfaceDocument& document, const std::vector<double>& uv,
                     IntegerPair order) {
   const ParameterMap& map = document.map;
   const int d = document.surface.dimension();
-  const std::vector<double> values = evaluate(document.surface, uv, order.first, order.second);
-  // The map is linear: dS/dx = dS/du du/dx.
-  const double scale = std::pow(map.u1 - map.u0, order.first) * std::pow(map.v1 - map.v0, order.second);
   const std::vector<std::string> names = component_names(d);
-  for (int c = 0; c < d; ++c) {
-    std::vector<double> column(uv.size() / 2);
-    for (std::size_t k = 0; k < column.size(); ++k) column[k] = values[k * d + c] / scale;
-    table.add(derivative_name(names[c], map, order), std::move(column));
+  std::vector<std::vector<double>> columns(d, std::vector<double>(uv.size() / 2, 0.0));
+  const double scale = std::pow(map.u1 - map.u0, order.first) * std::pow(map.v1 - map.v0, order.second);
+  const std::vector<double> terms = derivative_terms(map, order);
+  const int total = order.first + order.second;
+  for (int in_v = 0; in_v <= total; ++in_v) {
+    if (terms[in_v] == 0) continue;
+    const std::vector<double> values = evaluate(document.surface, uv, total - in_v, in_v);
+    for (int c = 0; c < d; ++c)
+      for (std::size_t k = 0; k < columns[c].size(); ++k)
+        columns[c][k] += terms[in_v] * values[k * d + c] / scale;
   }
+  for (int c = 0; c < d; ++c) table.add(derivative_name(names[c], map, order), std::move(columns[c]));
 }
 
 Surface in_space(const SurfaceDocument& document) {
   if (document.surface.dimension() == 3) return document.surface;
-  const ParameterMap& map = document.map;
-  if (document.height_field) return height_field_in_space(document.surface, map.u0, map.u1, map.v0, map.v1);
+  if (document.height_field) return height_field_in_space(document.surface, document.map);
   throw InvalidInput("--normals and --curvature need a surface in space or a height field");
 }
 

@@ -50,8 +50,9 @@ std::string worst_place(const FitReport& r) {
   const ParameterMap& map = r.result.map;
   const bool from_text = !points.source.empty() && !r.input.raster;
   const Index line = points.source.empty() ? e.worst + 1 : points.source[e.worst];
-  return fmt::format("at {} {}, {} = {:.6g}, {} = {:.6g}", from_text ? "line" : "point", line, map.name_u,
-                     map.from_u(e.worst_u), map.name_v, map.from_v(e.worst_v));
+  const auto [a, b] = map.from_uv(e.worst_u, e.worst_v);
+  return fmt::format("at {} {}, {} = {:.6g}, {} = {:.6g}", from_text ? "line" : "point", line, map.name_u, a,
+                     map.name_v, b);
 }
 
 std::string tolerance_line(const FitReport& r) {

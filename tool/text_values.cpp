@@ -229,6 +229,22 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
+ShearChoice parse_shear(std::string_view text) {
+  if (text == "auto") return {.automatic = true};
+  if (text == "off") return {};
+  const bool in_v = text.starts_with("v:");
+  const std::string_view number = in_v || text.starts_with("u:") ? text.substr(2) : text;
+  const double shear = parse_number(number);
+  if (!(std::abs(shear) <= 1)) refuse(text, "a shear from -1 to 1");
+  return in_v ? ShearChoice{.v = shear} : ShearChoice{.u = shear};
+}
+
+std::string shear_text(const ShearChoice& shear) {
+  if (shear.automatic) return "auto";
+  if (shear.v != 0) return fmt::format("v:{}", shear.v);
+  return shear.u != 0 ? fmt::format("u:{}", shear.u) : "off";
+}
+
 int parse_correct(std::string_view text) {
   if (text == "auto") return -1;
   if (text == "off") return 0;

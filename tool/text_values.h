@@ -54,6 +54,10 @@ IntegerPair parse_pair(std::string_view text, int least);
 /// As parse_pair, 1 to 9; "auto": 0 x 0.
 IntegerPair parse_degree(std::string_view text);
 std::string degree_text(const IntegerPair& degree);
+
+/// "auto", "off", "A", "u:A" or "v:A", A in [-1,1].
+ShearChoice parse_shear(std::string_view text);
+std::string shear_text(const ShearChoice& shear);
 /// "a,b".
 IntegerPair parse_orders(std::string_view text);
 std::pair<double, double> parse_position(std::string_view text);

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   try {
     int rows = 0;
     for (const auto& table : {equal_knots_rows, tolerance_rows, hostile_rows, time_rows, rms_rows, sweep_rows,
-                              known_knots_rows, insertion_rows, guard_cost_rows})
+                              known_knots_rows, insertion_rows, shear_rows, guard_cost_rows})
       for (const Row& row : table()) {
         const auto contains = [&](const std::string& word) {
           return std::find(row.words.begin(), row.words.end(), word) != row.words.end();

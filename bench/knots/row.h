@@ -22,6 +22,7 @@ std::vector<Row> rms_rows();
 std::vector<Row> sweep_rows();
 std::vector<Row> known_knots_rows();
 std::vector<Row> insertion_rows();
+std::vector<Row> shear_rows();
 std::vector<Row> guard_cost_rows();
 
 }  // namespace knotfit::bench

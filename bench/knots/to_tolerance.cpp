@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "data.h"
+#include "knotfit/fit_sheared.h"
 #include "knotfit/io.h"
 #include "knotfit/parameterize.h"
 #include "row.h"
@@ -121,6 +122,19 @@ Figures file_by_route(const FileSet& set, RefineRoute route) {
   return by_route(points, tolerance, route);
 }
 
+/// With oblique parameters, found and tried beside the plain ones.
+Figures oblique(const Data& data) {
+  const double tolerance = 1e-3 * data.diagonal;
+  const Stopwatch watch;
+  const ShearedFit fit = fit_sheared(data.points, optimal(tolerance, Effort::balanced));
+  Figures figures = figures_of(fit.result, watch);
+  figures["shear_u"] = fit.result.map.shear_u;
+  figures["shear_v"] = fit.result.map.shear_v;
+  figures["between"] = fit.result.between.between / tolerance;
+  figures["bound"] = fit.result.between.bound / tolerance;
+  return figures;
+}
+
 const std::vector<std::pair<std::string, RefineRoute>> kRoutes = {{"insert", RefineRoute::insert},
                                                                   {"search", RefineRoute::search}};
 
@@ -198,6 +212,15 @@ std::vector<Row> insertion_rows() {
     for (const auto& [word, route] : kRoutes)
       rows.push_back({{"insertion", set.file, set.percent + "%", word},
                       [set, route = route] { return file_by_route(set, route); }});
+  return rows;
+}
+
+std::vector<Row> shear_rows() {
+  std::vector<Row> rows;
+  for (const std::string name : {"franke", "peaks", "step", "ridge"})
+    for (int seed : {1, 2, 3})
+      rows.push_back({{"shear", name, std::to_string(seed)},
+                      [=] { return oblique(make_data(name, 10000, static_cast<std::uint64_t>(seed))); }});
   return rows;
 }
 

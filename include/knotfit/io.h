@@ -43,6 +43,10 @@ struct SurfaceDocument {
   std::string options;  ///< the options in force, a JSON object as text; empty: none
   std::string result;   ///< what was measured, a JSON object as text; empty: none
 };
+/// A height field over the user's (x, y) as a surface in space. Of a sheared one the parallelogram's bounding patch:
+/// what lies outside the user's rectangle has no data.
+/// \throws InvalidInput  dimension of `height` is not 1
+Surface height_field_in_space(const Surface& height, const ParameterMap& map);
 /// The documented schema (docs/formats.md); doubles round-trip exactly.
 std::string to_json(const SurfaceDocument& document);
 /// \throws FileError  not JSON, not a surface, or a foreign schema; names the member

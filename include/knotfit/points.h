@@ -13,11 +13,28 @@ struct ParameterMap {
   std::string name_u = "u", name_v = "v";  ///< "x", "y" for height fields
   double u0 = 0, u1 = 1;                   ///< user's value at u = 0 and u = 1, u0 < u1
   double v0 = 0, v1 = 1;
+  /// Oblique parameters of a height field, in [-1,1], one of them 0: with (s, t) the user's rectangle scaled to the
+  /// unit square, u = (s + shear_u t - min(shear_u, 0)) / (1 + |shear_u|), v = (t + shear_v s - min(shear_v, 0)) /
+  /// (1 + |shear_v|). The rectangle becomes a parallelogram in the square, which is all that holds data.
+  double shear_u = 0, shear_v = 0;
+  bool sheared() const { return shear_u != 0 || shear_v != 0; }
+  // Along an axis, without the shear: s of a, t of b and back.
   double to_u(double a) const { return (a - u0) / (u1 - u0); }
   double to_v(double b) const { return (b - v0) / (v1 - v0); }
-  double from_u(double u) const { return u0 + u * (u1 - u0); }
-  double from_v(double v) const { return v0 + v * (v1 - v0); }
-  bool identity() const { return u0 == 0 && u1 == 1 && v0 == 0 && v1 == 1; }
+  double from_u(double s) const { return u0 + s * (u1 - u0); }
+  double from_v(double t) const { return v0 + t * (v1 - v0); }
+  /// The shear alone, of (s, t), and back.
+  std::array<double, 2> shear(double s, double t) const;
+  std::array<double, 2> unshear(double u, double v) const;
+  /// (u, v) of the user's (a, b), and back.
+  std::array<double, 2> to_uv(double a, double b) const { return shear(to_u(a), to_v(b)); }
+  std::array<double, 2> from_uv(double u, double v) const {
+    const auto [s, t] = unshear(u, v);
+    return {from_u(s), from_v(t)};
+  }
+  /// Whether (u, v), up to rounding, lies over the user's rectangle.
+  bool covers(double u, double v) const;
+  bool identity() const { return u0 == 0 && u1 == 1 && v0 == 0 && v1 == 1 && !sheared(); }
   bool operator==(const ParameterMap&) const = default;
 };
 
@@ -38,6 +55,9 @@ struct ParameterizedPoints {
   const double* value(Index k) const { return values.data() + k * dimension; }
   double weight(Index k) const { return weights.empty() ? 1.0 : weights[k]; }
 };
+
+/// The same points at oblique parameters (ParameterMap::shear_u, shear_v). \throws InvalidInput  beyond [-1,1], or both not 0
+ParameterizedPoints sheared(const ParameterizedPoints& points, double shear_u, double shear_v);
 
 /// Shapes, ranges and finiteness. \throws InvalidInput naming the first offending point.
 void validate(const ParameterizedPoints& points);

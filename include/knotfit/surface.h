@@ -1,5 +1,6 @@
 // Tensor-product B-spline surfaces in a space of any dimension.
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,9 @@ class Surface {
 /// get the Greville abscissae as control points, which reproduces them exactly.
 /// \throws InvalidInput  dimension of `height` is not 1
 Surface height_field_in_space(const Surface& height, double x0, double x1, double y0, double y1);
+/// The same over the parallelogram with the corners (x, y) at (u, v) = (0,0), (1,0) and (0,1).
+Surface height_field_in_space(const Surface& height, std::array<double, 2> corner_00,
+                              std::array<double, 2> corner_10, std::array<double, 2> corner_01);
 
 /// Surface with u and v exchanged.
 Surface transposed(const Surface& s);

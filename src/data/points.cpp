@@ -17,6 +17,40 @@ std::string place(const ParameterizedPoints& points, Index k) {
 
 }  // namespace
 
+std::array<double, 2> ParameterMap::shear(double s, double t) const {
+  return {(s + shear_u * t - std::min(shear_u, 0.0)) / (1 + std::abs(shear_u)),
+          (t + shear_v * s - std::min(shear_v, 0.0)) / (1 + std::abs(shear_v))};
+}
+
+std::array<double, 2> ParameterMap::unshear(double u, double v) const {
+  // One shear is 0: its coordinate is known first.
+  const double s = u * (1 + std::abs(shear_u)) + std::min(shear_u, 0.0);
+  const double t = v * (1 + std::abs(shear_v)) + std::min(shear_v, 0.0);
+  return {s - shear_u * t, t - shear_v * s};
+}
+
+bool ParameterMap::covers(double u, double v) const {
+  constexpr double kRounding = 1e-12;
+  const auto [s, t] = unshear(u, v);
+  return std::min(s, t) >= -kRounding && std::max(s, t) <= 1 + kRounding;
+}
+
+ParameterizedPoints sheared(const ParameterizedPoints& points, double shear_u, double shear_v) {
+  if (!(std::abs(shear_u) <= 1) || !(std::abs(shear_v) <= 1) || (shear_u != 0 && shear_v != 0))
+    throw InvalidInput(
+        fmt::format("a shear of {} in u and {} in v: one must be 0, the other in [-1,1]", shear_u, shear_v));
+  ParameterizedPoints result = points;
+  result.map.shear_u = shear_u;
+  result.map.shear_v = shear_v;
+  for (Index k = 0; k < points.size(); ++k) {
+    const auto [s, t] = points.map.unshear(points.u(k), points.v(k));
+    const auto [u, v] = result.map.shear(s, t);
+    result.uv[2 * k] = std::clamp(u, 0.0, 1.0);
+    result.uv[2 * k + 1] = std::clamp(v, 0.0, 1.0);
+  }
+  return result;
+}
+
 void validate(const ParameterizedPoints& points) {
   const Index n = points.size();
   if (points.dimension < 1)

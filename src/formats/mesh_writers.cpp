@@ -1,6 +1,7 @@
 // Meshes and tessellated surfaces as OBJ and PLY.
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <ostream>
@@ -104,8 +105,8 @@ void write_obj(std::ostream& out, const Tessellation& t) {
   for (Index k = 0; k < t.size(); ++k) pieces.numbers("v", t.points.data() + 3 * k, 3);
   for (const double u : t.u)
     for (const double v : t.v) {
-      const double uv[2] = {t.map.from_u(u), t.map.from_v(v)};
-      pieces.numbers("vt", uv, 2);
+      const std::array<double, 2> uv = t.map.from_uv(u, v);
+      pieces.numbers("vt", uv.data(), 2);
     }
   for (Index k = 0; k < t.size(); ++k) pieces.numbers("vn", t.normals.data() + 3 * k, 3);
   each_triangle(t, [&](std::int32_t a, std::int32_t b, std::int32_t c) {
@@ -131,8 +132,7 @@ void write_ply(std::ostream& out, const Tessellation& t) {
       const std::size_t k = i * t.v.size() + j;
       for (int d = 0; d < 3; ++d) pieces.bytes(t.points[3 * k + d]);
       for (int d = 0; d < 3; ++d) pieces.bytes(t.normals[3 * k + d]);
-      pieces.bytes(t.map.from_u(t.u[i]));
-      pieces.bytes(t.map.from_v(t.v[j]));
+      for (const double a : t.map.from_uv(t.u[i], t.v[j])) pieces.bytes(a);
       if (!t.error.empty()) pieces.bytes(t.error[k]);
       pieces.bytes(t.mean_curvature[k]);
       pieces.bytes(t.gaussian_curvature[k]);

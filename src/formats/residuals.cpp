@@ -26,14 +26,15 @@ void write_residuals(std::ostream& out, const ParameterizedPoints& points, std::
       append_number(text, value);
       text += then;
     };
+    const auto [a, b] = points.map.from_uv(u, v);
     if (height) {
-      put(points.map.from_u(u), ',');
-      put(points.map.from_v(v), ',');
+      put(a, ',');
+      put(b, ',');
     }
     for (int c = 0; c < d; ++c) put(points.value(k)[c], ',');
     // The user of a height field gave x and y and no other parameters: u, v are the surface's own.
-    put(height ? u : points.map.from_u(u), ',');
-    put(height ? v : points.map.from_v(v), ',');
+    put(height ? u : a, ',');
+    put(height ? v : b, ',');
     put(errors[static_cast<std::size_t>(k)], '\n');
     if (text.size() > 1 << 16) {
       out.write(text.data(), static_cast<std::streamsize>(text.size()));

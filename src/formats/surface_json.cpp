@@ -63,6 +63,9 @@ std::string map_objection(const ParameterMap& map) {
     return "its ends must be finite";
   if (!(map.u0 < map.u1)) return fmt::format("u0 = {} must be below u1 = {}", map.u0, map.u1);
   if (!(map.v0 < map.v1)) return fmt::format("v0 = {} must be below v1 = {}", map.v0, map.v1);
+  if (!(std::abs(map.shear_u) <= 1 && std::abs(map.shear_v) <= 1) || (map.shear_u != 0 && map.shear_v != 0))
+    return fmt::format("shear_u = {} and shear_v = {} must be in [-1,1], one of them 0", map.shear_u,
+                       map.shear_v);
   return {};
 }
 
@@ -148,6 +151,8 @@ ParameterMap read_map(const Members& in, std::string_view object, std::string_vi
   number("u1", map.u1);
   number("v0", map.v0);
   number("v1", map.v1);
+  if (members.find("shear_u")) number("shear_u", map.shear_u);
+  if (members.find("shear_v")) number("shear_v", map.shear_v);
   if (const std::string why = map_objection(map); !why.empty()) in.at("parameter_map", object).fail(why);
   return map;
 }
@@ -222,7 +227,13 @@ std::string to_json(const SurfaceDocument& document) {
   number("u1", document.map.u1, ", ");
   out += fmt::format("\"name_v\": {}, ", json_quoted(document.map.name_v));
   number("v0", document.map.v0, ", ");
-  number("v1", document.map.v1, "}");
+  number("v1", document.map.v1, "");
+  if (document.map.sheared()) {
+    out += ", ";
+    number("shear_u", document.map.shear_u, ", ");
+    number("shear_v", document.map.shear_v, "");
+  }
+  out += '}';
   append_object(out, "options", document.options);
   append_object(out, "result", document.result);
   out += ",\n  \"control_points\": ";

@@ -90,7 +90,7 @@ void write_vts(std::ostream& out, const Tessellation& t) {
   array(out, t, "mean_curvature", 1, scalar(t.mean_curvature));
   array(out, t, "gaussian_curvature", 1, scalar(t.gaussian_curvature));
   array(out, t, "uv", 2, [&](std::size_t i, std::size_t j, int d) {
-    return d == 0 ? t.map.from_u(t.u[i]) : t.map.from_v(t.v[j]);
+    return t.map.from_uv(t.u[i], t.v[j])[static_cast<std::size_t>(d)];
   });
   out << "</PointData>\n<Points>\n";
   array(out, t, "points", 3, vector(t.points));

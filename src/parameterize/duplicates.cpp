@@ -73,12 +73,13 @@ void check(const ParameterizedPoints& points, const std::vector<Group>& groups, 
   }
   if (offending == 0) return;
   const ParameterMap& map = points.map;
+  const auto at = map.from_uv(points.u(first->front()), points.v(first->front()));
   std::string message = fmt::format(
       "{} have equal parameters, {} = {} and {} = {}, but values up to {:.6g} apart: more than twice the "
       "tolerance {:.6g}, "
       "so that no surface can meet it",
-      parameterize::point_names(points.source, *first), map.name_u, map.from_u(points.u(first->front())),
-      map.name_v, map.from_v(points.v(first->front())), first_apart, tolerance);
+      parameterize::point_names(points.source, *first), map.name_u, at[0], map.name_v, at[1], first_apart,
+      tolerance);
   if (offending > 1) message += fmt::format(" (and {} more such groups)", offending - 1);
   throw InvalidInput(message + "; --duplicates mean, lowest or highest settles it");
 }

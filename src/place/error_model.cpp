@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -14,9 +15,32 @@ namespace {
 constexpr double kDensityFloor = 0.02, kDamping = 0.5, kLeastSpan = 0.01;
 constexpr int kFineRounds = 4;
 
+/// Whether there is data at (along, across); empty: everywhere.
+using Coverage = std::function<bool(double, double)>;
+
+/// across.gram(0) from the spans that are covered, with `margin` around them, between `first` and `last` along: a
+/// surface swings beyond the data, and cells that hold little of it swing with it.
+std::vector<double> covered_gram(const Axis& across, double first, double last, const Coverage& covered) {
+  const int w = across.width();
+  std::vector<double> gram(across.functions() * w, 0.0);
+  for (Index s = 0; s < across.spans(); ++s) {
+    const double low = across.low(s) - across.length(s), high = across.low(s) + 2 * across.length(s);
+    auto inside = [](double x) { return std::clamp(x, 0.0, 1.0); };
+    bool all = true;
+    for (double x : {first, last})
+      for (double y : {low, high}) all = all && covered(inside(x), inside(y));
+    if (!all) continue;
+    const double* product = across.products(s);  // P_0 is the mean
+    for (int i = 0; i < w; ++i)
+      for (int j = 0; j <= i; ++j, product += across.moments())
+        gram[(s + i) * w + (i - j)] += across.length(s) * product[0];
+  }
+  return gram;
+}
+
 /// \param net  control point (i along, j across), component e at [i * stride_along + j * stride_across + e]
 ErrorDensity density(const Axis& along, const Axis& across, const double* net, Index stride_along,
-                     Index stride_across, int dimension) {
+                     Index stride_across, int dimension, const Coverage& covered) {
   const Index spans = along.spans(), nj = across.functions();
   const int m = along.degree(), w = along.width();
   if (spans == 1) return {{1.0}, 1.0};
@@ -37,12 +61,16 @@ ErrorDensity density(const Axis& along, const Axis& across, const double* net, I
   }
 
   // Slope at a knot: the jump there, in L2 across, over the distance of the spans' middles.
-  const std::vector<double> gram = across.gram(0);
+  // Only where there is data: what a surface does in an empty corner needs no knots.
+  std::vector<double> gram = across.gram(0);
   const int wj = across.width();
   std::vector<double> slope(spans - 1, 0.0), jump(row);
   for (Index k = 0; k + 1 < spans; ++k) {
     const double h = (along.length(k) + along.length(k + 1)) / 2;
     if (along.length(k) <= 0 || along.length(k + 1) <= 0) continue;
+    if (covered)
+      gram = covered_gram(across, along.low(k) - along.length(k), along.low(k + 1) + 2 * along.length(k + 1),
+                          covered);
     for (Index x = 0; x < row; ++x) jump[x] = derivative[(k + 1) * row + x] - derivative[k * row + x];
     double square = 0;
     for (Index j = 0; j < nj; ++j)
@@ -110,12 +138,18 @@ Rounds iterate(FitProblem& problem, InteriorKnots knots, int rounds, const Toler
 
 ErrorDensity error_density_u(const FitProblem& f) {
   const int d = f.points().dimension;
-  return density(f.axis_u(), f.axis_v(), f.net().data(), f.axis_v().functions() * d, d, d);
+  const ParameterMap& map = f.points().map;
+  Coverage covered;
+  if (map.sheared()) covered = [&](double u, double v) { return map.covers(u, v); };
+  return density(f.axis_u(), f.axis_v(), f.net().data(), f.axis_v().functions() * d, d, d, covered);
 }
 
 ErrorDensity error_density_v(const FitProblem& f) {
   const int d = f.points().dimension;
-  return density(f.axis_v(), f.axis_u(), f.net().data(), d, f.axis_v().functions() * d, d);
+  const ParameterMap& map = f.points().map;
+  Coverage covered;
+  if (map.sheared()) covered = [&](double v, double u) { return map.covers(u, v); };
+  return density(f.axis_v(), f.axis_u(), f.net().data(), d, f.axis_v().functions() * d, d, covered);
 }
 
 InteriorKnots knots_of_density(const FitProblem& fitted, int interior_u, int interior_v) {

@@ -42,10 +42,11 @@ Guard::Guard(const ParameterizedPoints& points, double tolerance, const Interior
   for (bool fill : {true, false})
     for (const auto& place : fill ? cover_gaps(field_.neighbours(), kRadius, kBorder)
                                   : cover_gaps(field_.neighbours(), kReserveRadius, kReserveBorder))
-      sites_.push_back({.place = place,
-                        .gap = field_.neighbours().gap(place[0], place[1]),
-                        .fill = fill,
-                        .reference = {}});
+      if (points.map.covers(place[0], place[1]))
+        sites_.push_back({.place = place,
+                          .gap = field_.neighbours().gap(place[0], place[1]),
+                          .fill = fill,
+                          .reference = {}});
 }
 
 double Guard::slack(const Site& site) const {

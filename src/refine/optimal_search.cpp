@@ -11,10 +11,12 @@ namespace knotfit {
 namespace {
 
 constexpr long kFits[] = {2000, 12000, 80000};  // fast, balanced, best
-constexpr double kWork[] = {1e11, 4e11, 4e12};  // operations a search may take
+constexpr double kWork[] = {1e11, 5e11, 4e12};  // operations a search may take
 constexpr double kLeastSaving = 0.1;            // below it, optimising is not worth its time
-constexpr double kLittleWork = 2e10;            // seconds: then even a small saving is worth it
-constexpr double kFitsToOptimise = 2000;        // of the last sizes, for the estimate of the work
+constexpr double kLeastThoroughSaving =
+    0.2;                              // what a second, thorough look must see after a first that saw little
+constexpr double kLittleWork = 2e10;  // seconds: then even a small saving is worth it
+constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the work
 
 /// Knots of the error model instead, with the reason.
 RefineResult search_placed_instead(FitProblem& data, RefineOptions options, const Control& control,
@@ -34,12 +36,21 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   PlacementContext plain(data, placement_options(options), control);
   attempts.set_stage("features");
   const FineModel fine = plain.fine_model();
-  const KnotWorth worth = estimate_worth(data, fine, options.tolerance);
-  const double side = std::sqrt(worth.control_points);
-  const double work =
-      kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
-                         9 * side * side * side * side);
-  if (worth.saving < kLeastSaving && work > kLittleWork && options.effort != Effort::best)
+  KnotWorth worth;
+  double work = 0;
+  bool little = false;  // too little is saved
+  for (bool thorough : {false, true}) {
+    worth = estimate_worth(data, fine, options.tolerance, thorough);
+    // No search goes beyond half of the points.
+    const double side =
+        std::sqrt(std::min(worth.control_points, 0.5 * static_cast<double>(data.points().size())));
+    work = kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
+                              9 * side * side * side * side);
+    little = worth.saving < (thorough ? kLeastThoroughSaving : kLeastSaving) && work > kLittleWork &&
+             options.effort != Effort::best;
+    if (!little && work <= kWork[effort]) break;
+  }
+  if (little)
     return search_placed_instead(
         data, options, control,
         fmt::format("optimised knots would save about {:.0f} % of the control points", 100 * worth.saving));

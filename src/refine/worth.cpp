@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "place/levenberg.h"
+#include "place/relocate.h"
 #include "place/shares.h"
 namespace knotfit {
 namespace {
 
 constexpr Index kProbePoints = 20000;
-constexpr int kProbeSpans = 10, kProbeSteps = 8;
+constexpr int kProbeSpans = 10, kProbeSteps = 8, kProbePasses = 2;
 
 /// Every k-th point, so that at most kProbePoints are left.
 ParameterizedPoints thinned(const ParameterizedPoints& points) {
@@ -26,7 +27,8 @@ ParameterizedPoints thinned(const ParameterizedPoints& points) {
 
 }  // namespace
 
-KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const Tolerance& tolerance) {
+KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const Tolerance& tolerance,
+                         bool thorough) {
   const ParameterizedPoints points = thinned(data.points());
   LeastSquaresOptions fit;
   fit.refinement_steps = 0;
@@ -44,27 +46,36 @@ KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const To
     problem.solve({uniform_knots(n - 1), uniform_knots(n - 1)});
     p.uniform = problem.rms();
     p.error = problem.measured(tolerance);
+    LevenbergOptions levenberg;
+    levenberg.steps = kProbeSteps;
+    auto optimise = [&](InteriorKnots knots) {
+      const double phi = minimize_over_knots(problem, knots, levenberg);
+      if (thorough) relocate_knots(problem, knots, phi, levenberg, {kProbePasses, 2});
+      if (!(problem.rms() < p.optimised)) return;
+      p.optimised = problem.rms();
+      p.error = problem.measured(tolerance);
+    };
+    p.optimised = p.uniform;
     InteriorKnots knots{equal_shares(fine.breaks_u(), fine.mass_u, n - 1),
                         equal_shares(fine.breaks_v(), fine.mass_v, n - 1)};
     widen_spans(knots.u, 0.01);
     widen_spans(knots.v, 0.01);
-    LevenbergOptions levenberg;
-    levenberg.steps = kProbeSteps;
-    minimize_over_knots(problem, knots, levenberg);
-    p.optimised = std::min(problem.rms(), p.uniform);
-    if (problem.rms() < p.uniform) p.error = problem.measured(tolerance);
+    optimise(std::move(knots));
+    if (thorough) optimise({uniform_knots(n - 1), uniform_knots(n - 1)});
     return p;
   };
-  const Probe coarse = probe(few), fine_probe = probe(2 * few);
   const double most = std::min(data.degree_u(), data.degree_v()) + 1;
+  // Relocation lowers errors that are not resolved yet: what follows falls by an order nearer to the spline's.
+  const double least = thorough ? most / 2 : 0.3;
   auto order = [&](double before, double after) {
-    return after > 0 ? std::clamp(std::log2(before / after), 0.3, most) : most;
+    return after > 0 ? std::clamp(std::log2(before / after), least, most) : most;
   };
+  const Probe coarse = probe(few), fine_probe = probe(2 * few);
   KnotWorth worth;
   if (!(fine_probe.uniform > 0) || !std::isfinite(fine_probe.uniform))
     return worth;  // exact: nothing to save
-  worth.saving =
-      1 - std::pow(fine_probe.optimised / fine_probe.uniform, 2 / order(coarse.uniform, fine_probe.uniform));
+  worth.saving = 1 - std::pow(fine_probe.optimised / fine_probe.uniform,
+                              2 / (thorough ? most : order(coarse.uniform, fine_probe.uniform)));
   const double size = (2.0 * few + data.degree_u()) * (2.0 * few + data.degree_v());
   worth.control_points = size * std::pow(std::max(fine_probe.error, 1e-300) / tolerance.value,
                                          2 / order(coarse.optimised, fine_probe.optimised));

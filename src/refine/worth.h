@@ -11,6 +11,9 @@ struct KnotWorth {
 
 /// From fits of some 10 x 10 and 20 x 20 spans on at most 20 000 of the points: how much optimised knots
 /// lower the RMS at equal size, and by what order the error falls with the size.
-KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const Tolerance& tolerance);
+/// \param thorough  relocation too: some hundred fits more, and it sees what steps from one start do not (points
+/// clustered 30:1 on a ridge: 84 % saved and 4 000 control points in place of 0 % and 18 000; 360 do)
+KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const Tolerance& tolerance,
+                         bool thorough);
 
 }  // namespace knotfit

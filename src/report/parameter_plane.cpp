@@ -212,8 +212,10 @@ Box draw_parameter_plane(Canvas& canvas, const Content& content, const Box& pane
   const double size = 0.82 * em, tick = 0.34 * em;
   const Domain& d = content.domain;
   auto ordered = [](double a, double b) { return std::pair(std::min(a, b), std::max(a, b)); };
-  const auto [x0, x1] = ordered(content.map.from_u(d.u0), content.map.from_u(d.u1));
-  const auto [y0, y1] = ordered(content.map.from_v(d.v0), content.map.from_v(d.v1));
+  // Oblique parameters have no axis of the user's.
+  const ParameterMap map = content.map.sheared() ? ParameterMap{} : content.map;
+  const auto [x0, x1] = ordered(map.from_u(d.u0), map.from_u(d.u1));
+  const auto [y0, y1] = ordered(map.from_v(d.v0), map.from_v(d.v1));
   const double guess = std::min(panel.width, panel.height);
   const Ticks in_x = make_ticks(x0, x1, std::clamp(static_cast<int>(guess / (4.6 * em)), 2, 6));
   const Ticks in_y = make_ticks(y0, y1, std::clamp(static_cast<int>(guess / (3.2 * em)), 2, 6));
@@ -242,7 +244,7 @@ Box draw_parameter_plane(Canvas& canvas, const Content& content, const Box& pane
   std::vector<Vec2> marks;
   double free_x = -INFINITY;
   for (std::size_t k = 0; k < in_x.at.size(); ++k) {
-    const double x = plane.at(content.map.to_u(in_x.at[k]), d.v0).x;
+    const double x = plane.at(map.to_u(in_x.at[k]), d.v0).x;
     const double half = canvas.text_width(in_x.text[k], size) / 2;
     marks.insert(marks.end(), {{x, b.bottom()}, {x, b.bottom() + tick}});
     if (x - half < free_x) continue;
@@ -252,7 +254,7 @@ Box draw_parameter_plane(Canvas& canvas, const Content& content, const Box& pane
   }
   double free_y = INFINITY;
   for (std::size_t k = 0; k < in_y.at.size(); ++k) {
-    const double y = plane.at(d.u0, content.map.to_v(in_y.at[k])).y;
+    const double y = plane.at(d.u0, map.to_v(in_y.at[k])).y;
     marks.insert(marks.end(), {{b.x, y}, {b.x - tick, y}});
     if (y > free_y) continue;
     canvas.text({b.x - tick - 0.25 * em, y}, in_y.text[k],
@@ -261,10 +263,10 @@ Box draw_parameter_plane(Canvas& canvas, const Content& content, const Box& pane
   }
   canvas.segments(marks, em / 17, {kInk, 0.8});
   canvas.text({b.centre().x, b.bottom() + tick + 1.35 * em},
-              canvas.shortened(in_x.name(content.map.name_u), b.width, size),
+              canvas.shortened(in_x.name(map.name_u), b.width, size),
               {.size = size, .paint = {kInk}, .horizontal = Align::middle, .vertical = Align::end});
   canvas.text({b.x - tick - widest - 0.75 * em, b.centre().y},
-              canvas.shortened(in_y.name(content.map.name_v), b.height, size),
+              canvas.shortened(in_y.name(map.name_v), b.height, size),
               {.size = size, .paint = {kInk}, .horizontal = Align::middle, .angle = -std::numbers::pi / 2});
   return b;
 }

@@ -136,14 +136,18 @@ SurfaceSamples sample_surface(const Surface& surface, const ParameterMap& map, i
   };
   s.position.resize(n);
   std::vector<Tangents> tangents(n);
+  const auto origin = map.from_uv(0, 0), along_u = map.from_uv(1, 0), along_v = map.from_uv(0, 1);
   for (std::size_t k = 0; k < n; ++k) {
     Vec3& p = s.position[k] = entry(value, k);
     tangents[k] = {entry(du, k), entry(dv, k)};
     if (dimension == 1) {
-      p.x = map.from_u(s.u[k / stride]);
-      p.y = map.from_v(s.v[k % stride]);
-      tangents[k].u.x = map.u1 - map.u0;
-      tangents[k].v.y = map.v1 - map.v0;
+      const auto [x, y] = map.from_uv(s.u[k / stride], s.v[k % stride]);
+      p.x = x;
+      p.y = y;
+      tangents[k].u.x = along_u[0] - origin[0];
+      tangents[k].u.y = along_u[1] - origin[1];
+      tangents[k].v.x = along_v[0] - origin[0];
+      tangents[k].v.y = along_v[1] - origin[1];
     }
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       throw InvalidInput("the surface has a point that is not finite; it cannot be drawn");

@@ -103,8 +103,8 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
     const Surface& surface = *content.input->surface;
     std::vector<double> p(static_cast<std::size_t>(surface.dimension()));
     evaluate(surface, u, v, p);
-    const Vec3 at = surface.dimension() == 1 ? Vec3{content.map.from_u(u), content.map.from_v(v), p[0]}
-                                             : Vec3{p[0], p[1], p[2]};
+    const auto [x, y] = content.map.from_uv(u, v);
+    const Vec3 at = surface.dimension() == 1 ? Vec3{x, y, p[0]} : Vec3{p[0], p[1], p[2]};
     const ScreenPoint q = camera.project(s.to_scene(at));
     const bool in_panel = q.x > panel.x && q.x < panel.right() && q.y > panel.y && q.y < panel.bottom();
     if (in_panel && view.viewport().visible(q)) draw_worst_mark(canvas, {q.x, q.y}, em);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "knotfit/errors.h"
@@ -38,22 +39,31 @@ double Surface::scale() const {
 }
 
 Surface height_field_in_space(const Surface& height, double x0, double x1, double y0, double y1) {
+  return height_field_in_space(height, {x0, y0}, {x1, y0}, {x0, y1});
+}
+
+Surface height_field_in_space(const Surface& height, std::array<double, 2> corner_00,
+                              std::array<double, 2> corner_10, std::array<double, 2> corner_01) {
   if (height.empty()) throw InvalidInput("the height field is empty");
   if (height.dimension() != 1)
     throw InvalidInput(fmt::format("a height field has dimension 1, not {}", height.dimension()));
-  for (double bound : {x0, x1, y0, y1})
-    if (!std::isfinite(bound))
-      throw InvalidInput(fmt::format("the rectangle [{}, {}] x [{}, {}] of the height field must be finite",
-                                     x0, x1, y0, y1));
-  // Greville abscissae reproduce u itself [Piegl97 ch. 9]; both ends come out exact.
-  const auto place = [](double part, double a, double b) { return (1 - part) * a + part * b; };
+  for (const auto& corner : {corner_00, corner_10, corner_01})
+    if (!std::isfinite(corner[0]) || !std::isfinite(corner[1]))
+      throw InvalidInput(
+          fmt::format("a corner ({}, {}) of the height field: it must be finite", corner[0], corner[1]));
+  // Greville abscissae reproduce u itself [Piegl97 ch. 9]; the ends come out exact where an axis is not oblique.
+  const auto place = [&](double u, double v, int axis) {
+    const double a = corner_00[axis], b = corner_10[axis], c = corner_01[axis];
+    if (a == c) return (1 - u) * a + u * b;
+    if (a == b) return (1 - v) * a + v * c;
+    return (1 - u - v) * a + u * b + v * c;
+  };
   const std::vector<double> u = height.knots_u().greville(), v = height.knots_v().greville();
   std::vector<double> net;
   net.reserve(height.net().size() * 3);
   for (Index i = 0; i < height.size_u(); ++i)
     for (Index j = 0; j < height.size_v(); ++j) {
-      net.push_back(place(u[i], x0, x1));
-      net.push_back(place(v[j], y0, y1));
+      for (int axis : {0, 1}) net.push_back(place(u[i], v[j], axis));
       net.push_back(height.control_point(i, j)[0]);
     }
   return Surface(height.knots_u(), height.knots_v(), 3, std::move(net));

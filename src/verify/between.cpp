@@ -139,7 +139,8 @@ std::vector<Candidate> summits(std::vector<Candidate> candidates, double apart) 
 /// Climbs from the survey's largest places to the tops between them: the best of eight places about each, again at
 /// half the radius and from half as many. \return false where it was stopped
 bool climb(BetweenReport& report, std::vector<Candidate> at, double radius, const Surface& surface,
-           const verify::ReferenceField& field, double tolerance, const std::function<bool()>& go_on) {
+           const ParameterMap& map, const verify::ReferenceField& field, double tolerance,
+           const std::function<bool()>& go_on) {
   for (int round = 0; round < kClimbRounds && !at.empty(); ++round, radius /= 2) {
     std::vector<Place> places;
     for (const Candidate& c : at)
@@ -152,7 +153,7 @@ bool climb(BetweenReport& report, std::vector<Candidate> at, double radius, cons
     if (reference.size() != places.size()) return false;
     const std::vector<double> distance = distances(surface, places, reference);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (!promised(reference[i], tolerance)) continue;
+      if (!promised(reference[i], tolerance) || !map.covers(places[i][0], places[i][1])) continue;
       const double bound = distance[i] + 2 * reference[i].error_bar;
       count_in(report, places[i], distance[i], bound);
       if (bound > at[i / 8].bound) at[i / 8] = {places[i], bound};
@@ -174,10 +175,13 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
 
   verify::Random random(options.seed, verify::Random::Stream::places);
   std::vector<Place> places(static_cast<std::size_t>(options.random_places));
-  for (Place& p : places) p[0] = random(), p[1] = random();
+  for (Place& p : places) {
+    const double s = random(), t = random();
+    p = points.map.shear(s, t);  // where there is data, whatever the parameters
+  }
   if (watch.over()) return {};
   for (const Place& p : verify::gap_places(field.neighbours(), options.gap_places, options.seed))
-    places.push_back(p);
+    if (points.map.covers(p[0], p[1])) places.push_back(p);
   const std::vector<ReferenceValue> reference = field.at(places, [&](Index done) {
     watch.report(done, tolerance);
     return !watch.over();
@@ -187,8 +191,8 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
   BetweenReport report = summarize(surface, places, reference, options.random_places, tolerance, candidates);
   // The distance between places of the survey, about: below it nothing is known of the surface yet.
   const double spacing = 1 / std::sqrt(static_cast<double>(std::max<Index>(1, report.places)));
-  if (!climb(report, summits(std::move(candidates), 2 * spacing), spacing / 2, surface, field, tolerance,
-             [&] { return !watch.over(); }))
+  if (!climb(report, summits(std::move(candidates), 2 * spacing), spacing / 2, surface, points.map, field,
+             tolerance, [&] { return !watch.over(); }))
     return {};
   report.noise = field.noise();
   watch.report(report.places, tolerance);

@@ -25,6 +25,49 @@ ParameterizedPoints three() {
   return points;
 }
 
+TEST(ParameterMap, ShearAndBackIsTheIdentity) {
+  Random random(7);
+  for (int trial = 0; trial < 200; ++trial) {
+    ParameterMap map{.u0 = -3, .u1 = 5, .v0 = 100, .v1 = 101};
+    (trial % 2 == 0 ? map.shear_u : map.shear_v) = random.uniform(-1, 1);
+    const double a = random.uniform(-3, 5), b = random.uniform(100, 101);
+    const auto [u, v] = map.to_uv(a, b);
+    EXPECT_TRUE(u >= 0 && u <= 1 && v >= 0 && v <= 1);
+    EXPECT_TRUE(map.covers(u, v));
+    const auto [x, y] = map.from_uv(u, v);
+    EXPECT_NEAR(x, a, 1e-14 * 8);
+    EXPECT_NEAR(y, b, 1e-14 * 101);
+  }
+}
+
+TEST(ParameterMap, ShearFillsTheSquareAndLeavesTwoCornersFree) {
+  const ParameterMap map{.shear_u = 0.5};
+  EXPECT_EQ(map.to_uv(0, 0), (std::array{0.0, 0.0}));
+  EXPECT_EQ(map.to_uv(1, 1), (std::array{1.0, 1.0}));
+  EXPECT_TRUE(map.covers(0, 0) && map.covers(1, 1));
+  EXPECT_FALSE(map.covers(1, 0));
+  EXPECT_FALSE(map.covers(0, 1));
+  const ParameterMap back{.shear_u = -0.5};
+  EXPECT_EQ(back.to_uv(0, 1)[0], 0.0);
+  EXPECT_EQ(back.to_uv(1, 0)[0], 1.0);
+}
+
+TEST(Points, ShearedKeepTheUsersPlaces) {
+  ParameterizedPoints points;
+  points.uv = {0, 0, 1, 0.5, 0.25, 1};
+  points.values = {1, 2, 3};
+  const ParameterizedPoints oblique = sheared(points, 0, -0.25);
+  EXPECT_EQ(oblique.values, points.values);
+  for (Index k = 0; k < points.size(); ++k) {
+    const auto [x, y] = oblique.map.from_uv(oblique.u(k), oblique.v(k));
+    EXPECT_NEAR(x, points.u(k), 1e-15);
+    EXPECT_NEAR(y, points.v(k), 1e-15);
+  }
+  expect_throw<InvalidInput>([&] { sheared(points, 0.1, 0.1); }, "one must be 0");
+  expect_throw<InvalidInput>([&] { sheared(points, 1.5, 0); }, "[-1,1]");
+  expect_throw<InvalidInput>([&] { sheared(points, NAN, 0); }, "[-1,1]");
+}
+
 void expect_invalid(const ParameterizedPoints& points, const std::string& words) {
   expect_throw<InvalidInput>([&] { validate(points); }, words);
 }

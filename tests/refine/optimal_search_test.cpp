@@ -170,6 +170,23 @@ TEST(OptimalSearch, SaysEarlyWhereKnotsCannotHelp) {
   EXPECT_NE(r.notes[0].find("the knots come from the error model"), std::string::npos) << r.notes[0];
 }
 
+TEST(OptimalSearch, IsNotPutOffByClusters) {
+  // 30 times denser at u = 0 than at u = 1: uniform knots and steps from one start say that nothing can be saved.
+  ParameterizedPoints points;
+  Uniform uniform(1);
+  while (points.size() < 10000) {
+    const double u = uniform(), v = uniform();
+    if (uniform() > std::pow(30.0, -u)) continue;
+    points.uv.insert(points.uv.end(), {u, v});
+    points.values.push_back(ridge(u, v));
+  }
+  RefineOptions options = to_max_error(1e-3 * synthetic_diagonal(points), "optimal");
+  options.max_fits = 100;
+  const RefineResult r = refine_to_tolerance(points, options);
+  EXPECT_EQ(r.method, "optimal");
+  EXPECT_TRUE(r.notes.empty()) << r.notes.front();
+}
+
 TEST(OptimalSearch, SameSurfaceForOneAndTwoThreads) {
   const ParameterizedPoints points = synthetic_points("franke", 3000);
   const RefineOptions options = to_max_error(3e-3 * synthetic_diagonal(points), "optimal");

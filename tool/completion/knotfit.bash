@@ -25,7 +25,7 @@ _knotfit() {
     --step-schema) COMPREPLY=($(compgen -W "ap214 ap242" -- "$current")); return ;;
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --points | --options | --knots-from | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
-    --tol | --sizes | --tolerances | --evaluations | --knots-t | --within | --control-points | --degree | --max-control-points | --max-fits | --time-limit | \
+    --tol | --sizes | --tolerances | --evaluations | --knots-t | --within | --control-points | --degree | --shear | --max-control-points | --max-fits | --time-limit | \
       --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
       --derivatives | --derivative | --omega | --samples | --lines | --name | --cad-tol | --face) return ;;
   esac
@@ -39,7 +39,7 @@ _knotfit() {
   local surface="--unit --face" cad="--name --step-schema --cad-safe --cad-tol"
   case $command in
     fit)
-      options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
+      options="--tol --within --rms --control-points --degree --shear --max-control-points --max-fits --time-limit
         --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --evaluations --smoothing $input --height-field
         --spacing --rescale-parameters --duplicates $mesh --new-parameters --correct $output --samples --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part

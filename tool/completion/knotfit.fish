@@ -50,6 +50,7 @@ complete -c knotfit -n $fits -l within -x -d 'Share of the points that must hold
 complete -c knotfit -n $fits -l rms -d 'The root mean square counts'
 complete -c knotfit -n "__fish_seen_subcommand_from fit fit-curve" -l control-points -x -d 'Fixed size, NxM'
 complete -c knotfit -n $fits -l degree -x -d 'Degree along u and v'
+complete -c knotfit -n $fit -l shear -x -a 'auto off' -d 'Oblique parameters of a height field'
 complete -c knotfit -n $fits -l max-control-points -x -d 'Most control points'
 complete -c knotfit -n $fits -l max-fits -x -d 'Most linear fits'
 complete -c knotfit -n $fit -l time-limit -x -d 'Seconds'
