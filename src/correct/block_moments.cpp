@@ -1,13 +1,7 @@
 #include "correct/block_moments.h"
 
+#include "base/clones.h"
 #include "fit/axis.h"
-
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(KNOTFIT_SANITIZED)
-#define KNOTFIT_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define KNOTFIT_WIDE
-#endif
 
 namespace knotfit::correction {
 namespace {
@@ -51,9 +45,10 @@ constexpr int kMost = 24;  // padded_moments(2 * kMaxDegree + 1)
 
 }  // namespace
 
-KNOTFIT_WIDE double add_block_moments(std::span<const BlockPoint> points, int degree_outer, int degree_inner,
-                                      const double* basis_outer, const double* basis_inner, int parts,
-                                      double* moments, double* right) {
+KNOTFIT_CLONES double add_block_moments(std::span<const BlockPoint> points, int degree_outer,
+                                        int degree_inner, const double* basis_outer,
+                                        const double* basis_inner, int parts, double* moments,
+                                        double* right) {
   if (degree_outer == 3 && degree_inner == 3)
     return add(points, 4, 4, basis_outer, basis_inner, parts, moments, right);
   return add(points, degree_outer + 1, degree_inner + 1, basis_outer, basis_inner, parts, moments, right);

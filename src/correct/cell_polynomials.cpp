@@ -4,18 +4,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/clones.h"
 #include "base/narrow.h"
 #include "base/parallel.h"
 #include "knotfit/basis.h"
 #include "spline/basis_lanes.h"
-
-// The same code for wider registers, chosen when the program starts; -ffp-contract=off keeps the bits.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(KNOTFIT_SANITIZED)
-#define KNOTFIT_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define KNOTFIT_WIDE
-#endif
 
 namespace knotfit::correction {
 
@@ -104,7 +97,8 @@ KNOTFIT_INLINE void horner(const double* c, int p, int q, const T& t, const T& s
 }
 
 /// kLanes places of one cell. \param out  9 x kLanes
-KNOTFIT_WIDE void horner_lanes(const double* c, int p, int q, const double* t, const double* s, double* out) {
+KNOTFIT_CLONES void horner_lanes(const double* c, int p, int q, const double* t, const double* s,
+                                 double* out) {
   Lanes x, y, r[9];
   std::memcpy(&x, t, sizeof x);
   std::memcpy(&y, s, sizeof y);

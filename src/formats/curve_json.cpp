@@ -5,7 +5,7 @@
 #include <new>
 
 #include "formats/file_bytes.h"
-#include "formats/json_members.h"
+#include "formats/json_document.h"
 #include "formats/number.h"
 #include "knotfit/curve_io.h"
 #include "knotfit/errors.h"
@@ -16,54 +16,14 @@ namespace {
 constexpr std::string_view kFormat = "knotfit-curve";
 constexpr int kVersion = 1;
 
-void append_list(std::string& out, std::span<const double> values) {
-  out += '[';
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (k > 0) out += ", ";
-    append_number(out, values[k]);
-  }
-  out += ']';
-}
-
-void append_object(std::string& out, std::string_view name, const std::string& text) {
-  if (text.empty()) return;
-  const std::string place(name);
-  try {
-    JsonReader reader(text, text, place);
-    if (reader.peek() != JsonReader::Kind::object) reader.fail("an object is missing");
-    const std::string_view object = reader.skip();
-    reader.finish();
-    out += fmt::format(",\n  \"{}\": {}", name, object);
-  } catch (const FileError& error) {
-    throw InvalidInput(
-        fmt::format("the {} of a curve document must be a JSON object: {}", name, error.what()));
-  }
-}
-
-std::string object_of(const JsonMembers& in, std::string_view name) {
-  const auto value = in.find(name);
-  if (!value) return {};
-  JsonReader reader = in.at(name, *value);
-  if (reader.peek() == JsonReader::Kind::null) return {};
-  if (reader.peek() != JsonReader::Kind::object) reader.fail("an object is missing");
-  return std::string(*value);
-}
-
 bool flag_of(const JsonMembers& in, std::string_view name) {
   return in.find(name) && in.at(name).boolean();
 }
 
 CurveDocument read_document(std::string_view text, const std::string& path) {
-  const std::string_view body = text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-  const JsonMembers in(text, body, path, "knotfit curve");
-  JsonReader format = in.at("format");
-  if (format.peek() != JsonReader::Kind::string) format.fail("a name is missing");
-  if (const std::string name = format.string(); name != kFormat)
-    format.fail(fmt::format("{} is a foreign schema, not \"{}\"", in_quotes(name), kFormat));
-  JsonReader version_reader = in.at("version");
-  if (const double number = version_reader.number(); number != kVersion)
-    version_reader.fail(
-        fmt::format("version {} of the schema is unknown; this program reads version {}", number, kVersion));
+  const JsonMembers in(text, without_mark(text), path, "knotfit curve");
+  check_format(in, kFormat);
+  check_version(in, kVersion);
   JsonReader degree_reader = in.at("degree");
   const double degree = degree_reader.number();
   if (!(degree >= 1 && degree <= kMaxDegree) || degree != std::floor(degree))
@@ -125,14 +85,14 @@ std::string to_json(const CurveDocument& document) {
     out += ",\n";
   }
   out += "  \"knots\": ";
-  append_list(out, c.knots().knots());
-  append_object(out, "options", document.options);
-  append_object(out, "result", document.result);
+  append_numbers(out, c.knots().knots());
+  append_object(out, "options", document.options, "curve");
+  append_object(out, "result", document.result, "curve");
   out += ",\n  \"control_points\": [\n";
   const std::span<const double> net(c.control_points());
   for (Index i = 0; i < c.size(); ++i) {
     out += "    ";
-    append_list(out, net.subspan(i * c.dimension(), c.dimension()));
+    append_numbers(out, net.subspan(i * c.dimension(), c.dimension()));
     out += i + 1 < c.size() ? ",\n" : "\n";
   }
   return out + "  ]\n}\n";

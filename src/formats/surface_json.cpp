@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formats/file_bytes.h"
-#include "formats/json_members.h"
+#include "formats/json_document.h"
 #include "formats/number.h"
 #include "formats/surface_net.h"
 #include "formats/text_lines.h"
@@ -19,15 +19,6 @@ namespace {
 constexpr std::string_view kFormat = "knotfit-surface";
 constexpr int kVersion = 1;
 
-void append_numbers(std::string& out, std::span<const double> values) {
-  out += '[';
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (k > 0) out += ", ";
-    append_number(out, values[k]);
-  }
-  out += ']';
-}
-
 void append_net(std::string& out, const Surface& s) {
   out += "[\n";
   for (Index i = 0; i < s.size_u(); ++i) {
@@ -39,23 +30,6 @@ void append_net(std::string& out, const Surface& s) {
     out += i + 1 < s.size_u() ? "],\n" : "]\n";
   }
   out += "  ]";
-}
-
-/// The member's text, checked to be one JSON object.
-void append_object(std::string& out, std::string_view name, std::string_view text) {
-  if (text.empty()) return;
-  const std::string place(name);
-  JsonReader reader(text, text, place);
-  if (reader.peek() != JsonReader::Kind::object)
-    throw InvalidInput(fmt::format("the {} of a surface document must be a JSON object", name));
-  try {
-    const std::string_view object = reader.skip();
-    reader.finish();
-    out += fmt::format(",\n  \"{}\": {}", name, object);
-  } catch (const FileError& error) {
-    throw InvalidInput(
-        fmt::format("the {} of a surface document must be a JSON object: {}", name, error.what()));
-  }
 }
 
 std::string map_objection(const ParameterMap& map) {
@@ -71,23 +45,6 @@ std::string map_objection(const ParameterMap& map) {
 
 constexpr const char* kWhat = "knotfit surface";
 using Members = JsonMembers;
-
-void check_schema(const Members& in) {
-  if (const auto format = in.find("format")) {
-    JsonReader reader = in.at("format", *format);
-    if (reader.peek() != JsonReader::Kind::string) reader.fail("a name is missing");
-    const std::string name = reader.string();
-    if (name != kFormat)
-      reader.fail(fmt::format("{} is a foreign schema, not \"{}\"", in_quotes(name), kFormat));
-  }
-  if (const auto version = in.find("version")) {
-    JsonReader reader = in.at("version", *version);
-    const double number = reader.number();
-    if (number != kVersion)
-      reader.fail(fmt::format("version {} of the schema is unknown; this program reads version {}", number,
-                              kVersion));
-  }
-}
 
 std::vector<int> read_degree(const Members& in) {
   JsonReader reader = in.at("degree");
@@ -157,22 +114,13 @@ ParameterMap read_map(const Members& in, std::string_view object, std::string_vi
   return map;
 }
 
-/// The text of an object member; empty where it is absent or null.
-std::string read_object(const Members& in, std::string_view name) {
-  const auto value = in.find(name);
-  if (!value) return {};
-  JsonReader reader = in.at(name, *value);
-  if (reader.peek() == JsonReader::Kind::null) return {};
-  if (reader.peek() != JsonReader::Kind::object) reader.fail("an object is missing");
-  return std::string(*value);
-}
-
 SurfaceDocument read_document(std::string_view text, const std::string& path) {
-  const std::string_view body = text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-  const Members top(text, body, path, kWhat);
+  const Members top(text, without_mark(text), path, kWhat);
   const auto inner = top.find("surface");
   const Members in = inner ? Members(text, *inner, path, kWhat) : top;
-  check_schema(in);
+  // Other programs' surfaces have neither.
+  if (in.find("format")) check_format(in, kFormat);
+  if (in.find("version")) check_version(in, kVersion);
   SurfaceDocument document;
   const std::vector<int> degree = read_degree(in);
   KnotVector knots_u = read_knots(in, "knots_u", degree[0]);
@@ -192,9 +140,9 @@ SurfaceDocument read_document(std::string_view text, const std::string& path) {
     if (document.height_field && dimension != 1)
       reader.fail(fmt::format("a height field has one component, but the control points have {}", dimension));
   }
-  document.options = read_object(in, "options");
-  document.result = read_object(in, "result");
-  if (inner && document.options.empty()) document.options = read_object(top, "options");
+  document.options = object_of(in, "options");
+  document.result = object_of(in, "result");
+  if (inner && document.options.empty()) document.options = object_of(top, "options");
   return document;
 }
 
@@ -234,8 +182,8 @@ std::string to_json(const SurfaceDocument& document) {
     number("shear_v", document.map.shear_v, "");
   }
   out += '}';
-  append_object(out, "options", document.options);
-  append_object(out, "result", document.result);
+  append_object(out, "options", document.options, "surface");
+  append_object(out, "result", document.result, "surface");
   out += ",\n  \"control_points\": ";
   append_net(out, s);
   out += "\n}\n";

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fit/scattered.h"
+#include "place/damped_step.h"
 namespace knotfit {
 namespace {
 
@@ -31,19 +32,7 @@ SpacingStep::SpacingStep(FitProblem& problem, const InteriorKnots& knots, bool g
 }
 
 bool SpacingStep::solve(double mu, double most) {
-  const auto n = static_cast<Index>(unknowns_);
-  const Eigen::Map<const RowMajor> h(matrix_.data(), n, n);
-  const Eigen::Map<const Eigen::VectorXd> g(gradient_.data(), n);
-  Eigen::Map<Eigen::VectorXd> s(step_.data(), n);
-  const double trace = h.trace();
-  Eigen::MatrixXd damped = h;
-  damped.diagonal().array() +=
-      mu * (h.diagonal().array() + 1e-6 * trace / static_cast<double>(n)) + 1e-13 * trace;
-  s = -damped.ldlt().solve(g);
-  const double largest = s.cwiseAbs().maxCoeff();
-  if (!std::isfinite(largest)) return false;
-  if (largest > most) s *= most / largest;
-  return true;
+  return damped_step(matrix_, gradient_, mu, most, step_);
 }
 
 InteriorKnots SpacingStep::moved(double least_span) const {
@@ -52,14 +41,13 @@ InteriorKnots SpacingStep::moved(double least_span) const {
 }
 
 double SpacingStep::predicted_fall() const {
-  const auto n = static_cast<Index>(unknowns_);
-  const Eigen::Map<const Eigen::VectorXd> s(step_.data(), n), g(gradient_.data(), n);
-  return -(2 * s.dot(g) + s.dot(Eigen::Map<const RowMajor>(matrix_.data(), n, n) * s));
+  return knotfit::predicted_fall(matrix_, gradient_, step_);
 }
 
 double minimize_over_knots(FitProblem& problem, InteriorKnots& knots, const LevenbergOptions& options) {
   if (!problem.solve(knots)) return std::numeric_limits<double>::infinity();
-  double phi = problem.phi(), mu = 1e-2, growth = 2;
+  double phi = problem.phi();
+  Damping damping;
   if (knots.u.empty() && knots.v.empty()) return phi;
   int small_falls = 0;
   for (int step = 0; step < options.steps && phi > 0; ++step) {
@@ -68,24 +56,21 @@ double minimize_over_knots(FitProblem& problem, InteriorKnots& knots, const Leve
     bool accepted = false;
     double fall = 0;
     for (int refused = 0; refused < 10; ++refused) {
-      if (!model.solve(mu, 1.0)) {
-        mu *= 4;
+      if (!model.solve(damping.mu, 1.0)) {
+        damping.mu *= 4;
         continue;
       }
       const InteriorKnots trial = model.moved(options.least_span);
       const double predicted = model.predicted_fall();
       if (problem.solve(trial) && problem.phi() < phi) {
-        const double rho = predicted > 0 ? (phi - problem.phi()) / predicted : 0;
+        damping.accept(predicted > 0 ? (phi - problem.phi()) / predicted : 0);
         fall = (phi - problem.phi()) / phi;
         phi = problem.phi();
         knots = trial;
         accepted = true;
-        mu = std::max(1e-9, mu * std::max(0.1, 1 - std::pow(2 * std::min(rho, 1.0) - 1, 3)));
-        growth = 2;
         break;
       }
-      mu *= growth;
-      growth = std::min(2 * growth, 64.0);
+      damping.refuse();
       if (predicted < 1e-3 * options.fall * phi && refused > 1) break;
     }
     if (!accepted) {

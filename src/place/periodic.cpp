@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "place/damped_step.h"
 #include "place/knot_spacings.h"
 namespace knotfit {
 namespace {
@@ -42,7 +43,8 @@ Eigen::VectorXd residual(const CurveProblem& problem) {
 double descend(CurveProblem& problem, std::vector<double>& knots, int steps,
                const std::function<bool()>& stop) {
   if (!problem.solve(knots)) return std::numeric_limits<double>::infinity();
-  double phi = problem.phi(), mu = 1e-2, growth = 2;
+  double phi = problem.phi();
+  Damping damping;
   const Index unknowns = static_cast<Index>(knots.size()) + 1;
   int small = 0;
   for (int step = 0; step < steps && phi > 0 && small < 2; ++step) {
@@ -61,29 +63,25 @@ double descend(CurveProblem& problem, std::vector<double>& knots, int steps,
     }
     const Eigen::MatrixXd h = jacobian.transpose() * jacobian;
     const Eigen::VectorXd g = jacobian.transpose() * r;
+    const auto n = static_cast<std::size_t>(unknowns);
+    const std::span<const double> matrix(h.data(), n * n), gradient(g.data(), n);
+    Eigen::VectorXd s(unknowns);
+    const std::span<double> unknown(s.data(), n);
     bool accepted = false;
     double fall = 0;
     for (int refused = 0; refused < 10; ++refused) {
-      Eigen::MatrixXd damped = h;
-      damped.diagonal().array() +=
-          mu * (h.diagonal().array() + 1e-6 * h.trace() / static_cast<double>(unknowns)) + 1e-13 * h.trace();
-      Eigen::VectorXd s = -damped.ldlt().solve(g);
-      if (!s.allFinite()) break;
-      if (const double largest = s.cwiseAbs().maxCoeff(); largest > 1) s /= largest;
-      const double predicted = -(2 * s.dot(g) + s.dot(h * s));
+      if (!damped_step(matrix, gradient, damping.mu, 1, unknown)) break;
+      const double predicted = predicted_fall(matrix, gradient, unknown);
       const std::vector<double> trial = period.moved(s);
       if (problem.solve(trial) && problem.phi() < phi) {
-        const double rho = predicted > 0 ? (phi - problem.phi()) / predicted : 0;
+        damping.accept(predicted > 0 ? (phi - problem.phi()) / predicted : 0);
         fall = (phi - problem.phi()) / phi;
         phi = problem.phi();
         knots = trial;
         accepted = true;
-        mu = std::max(1e-9, mu * std::max(0.1, 1 - std::pow(2 * std::min(rho, 1.0) - 1, 3)));
-        growth = 2;
         break;
       }
-      mu *= growth;
-      growth = std::min(2 * growth, 64.0);
+      damping.refuse();
     }
     if (!accepted) break;
     small = fall < 1e-4 ? small + 1 : 0;

@@ -18,6 +18,10 @@ constexpr double kFar = 1.25;
 // Operations of one fit from which on a net is too large to optimise.
 constexpr double kMostWork = 1e9;
 
+Spans spans_of(const InteriorKnots& knots) {
+  return {static_cast<int>(knots.u.size()) + 1, static_cast<int>(knots.v.size()) + 1};
+}
+
 /// Any knots: for second tries.
 InteriorKnots random_knots(int count_u, int count_v, std::mt19937_64& engine) {
   auto line = [&](int count) {
@@ -60,9 +64,8 @@ OptimizedSizes::OptimizedSizes(FitProblem& problem, PlacementContext& context, G
 }
 
 Spans OptimizedSizes::seed(InteriorKnots knots) {
-  const Spans spans{static_cast<int>(knots.u.size()) + 1, static_cast<int>(knots.v.size()) + 1};
-  seeds_[spans] = std::move(knots);
-  return spans;
+  seed_ = std::move(knots);
+  return spans_of(*seed_);
 }
 
 void OptimizedSizes::use_base_weights() {
@@ -114,7 +117,7 @@ std::vector<InteriorKnots> OptimizedSizes::starts(const Spans& spans, const Entr
       widen_spans(knots.v, 0.01);
     }
   }
-  if (const auto seed = seeds_.find(spans); seed != seeds_.end()) result.push_back(seed->second);
+  if (seed_ && spans_of(*seed_) == spans) result.push_back(*seed_);
   if (from) {
     result.push_back(adapt_knots(problem_, from->knots, ku, kv, levenberg_));
     if (from->outcome.holds && !(from->minimax == InteriorKnots{}) && options_.effort != Effort::fast)

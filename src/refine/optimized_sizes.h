@@ -53,7 +53,7 @@ class OptimizedSizes final : public SizeSolver {
   WalkPolicy policy_;
   LevenbergOptions levenberg_;
   std::map<Spans, Entry> seen_;
-  std::map<Spans, InteriorKnots> seeds_;
+  std::optional<InteriorKnots> seed_;
 };
 
 }  // namespace knotfit

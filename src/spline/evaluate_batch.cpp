@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "base/clones.h"
 #include "base/parallel.h"
 #include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
@@ -10,15 +11,6 @@
 #include "spline/contraction.h"
 #include "spline/evaluation.h"
 #include "spline/parameter_basis.h"
-
-// The same code for wider registers, chosen when the program starts. No fused operations
-// (-ffp-contract=off), so the bits are the same. The sanitizers do not know such choices.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(KNOTFIT_SANITIZED)
-#define KNOTFIT_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define KNOTFIT_WIDE
-#endif
 
 namespace knotfit {
 namespace {
@@ -75,8 +67,8 @@ KNOTFIT_INLINE void lane_basis(const KnotVector& knots, Index span, const Lanes&
 }
 
 /// kLanes points of one cell. \param out  dimension x kLanes, written
-KNOTFIT_WIDE void evaluate_lanes(const Task& task, Index span_u, Index span_v, const double* u,
-                                 const double* v, double* out) {
+KNOTFIT_CLONES void evaluate_lanes(const Task& task, Index span_u, Index span_v, const double* u,
+                                   const double* v, double* out) {
   const Surface& s = task.s;
   const KnotVector &ku = s.knots_u(), &kv = s.knots_v();
   Lanes x, y, bu[kFunctions], bv[kFunctions];

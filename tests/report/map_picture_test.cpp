@@ -1,14 +1,13 @@
 #include "knotfit/map_picture.h"
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "knotfit/errors.h"
 #include "knotfit/parameterize_mesh.h"
 #include "knotfit/threads.h"
+#include "pixels.h"
 #include "report/map_content.h"
 #include "report/map_view.h"
 #include "support/expect_throw.h"
@@ -40,39 +39,6 @@ MapPictureInput input_of(const Mesh& mesh, const std::vector<double>& uv) {
   input.mesh = &mesh;
   input.uv = &uv;
   return input;
-}
-
-struct Pixels {
-  int width = 0, height = 0;
-  std::vector<std::uint32_t> rgb;
-  std::uint32_t at(double x, double y) const {
-    return rgb[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  }
-};
-
-Pixels decode(const std::string& png) {
-  struct Reader {
-    const std::string& bytes;
-    std::size_t at;
-  } reader{png, 0};
-  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(
-      [](void* closure, unsigned char* out, unsigned int length) {
-        Reader& r = *static_cast<Reader*>(closure);
-        if (r.at + length > r.bytes.size()) return CAIRO_STATUS_READ_ERROR;
-        std::memcpy(out, r.bytes.data() + r.at, length);
-        r.at += length;
-        return CAIRO_STATUS_SUCCESS;
-      },
-      &reader);
-  EXPECT_EQ(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
-  Pixels p{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  for (int y = 0; y < p.height; ++y) {
-    const auto* row = reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(surface) +
-                                                             y * cairo_image_surface_get_stride(surface));
-    for (int x = 0; x < p.width; ++x) p.rgb.push_back(row[x] & 0xFFFFFF);
-  }
-  cairo_surface_destroy(surface);
-  return p;
 }
 
 void expect_colour(std::uint32_t pixel, const report::Rgb& c, const char* what) {

@@ -1,53 +1,19 @@
 #include "knotfit/picture.h"
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 #include "knotfit/errors.h"
 #include "knotfit/threads.h"
+#include "pixels.h"
 #include "report/colour_map.h"
 #include "report/layout.h"
 #include "report/parameter_plane.h"
 #include "scenes.h"
 namespace knotfit {
 namespace {
-
-struct Pixels {
-  int width = 0, height = 0;
-  std::vector<std::uint32_t> rgb;
-  std::uint32_t at(double x, double y) const {
-    return rgb[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  }
-};
-
-Pixels decode(const std::string& png) {
-  struct Reader {
-    const std::string& bytes;
-    std::size_t at;
-  } reader{png, 0};
-  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(
-      [](void* closure, unsigned char* out, unsigned int length) {
-        Reader& r = *static_cast<Reader*>(closure);
-        if (r.at + length > r.bytes.size()) return CAIRO_STATUS_READ_ERROR;
-        std::memcpy(out, r.bytes.data() + r.at, length);
-        r.at += length;
-        return CAIRO_STATUS_SUCCESS;
-      },
-      &reader);
-  EXPECT_EQ(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
-  Pixels p{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  for (int y = 0; y < p.height; ++y) {
-    const auto* row = reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(surface) +
-                                                             y * cairo_image_surface_get_stride(surface));
-    for (int x = 0; x < p.width; ++x) p.rgb.push_back(row[x] & 0xFFFFFF);
-  }
-  cairo_surface_destroy(surface);
-  return p;
-}
 
 int channel(std::uint32_t pixel, int which) {
   return static_cast<int>(pixel >> (16 - 8 * which) & 0xFF);
