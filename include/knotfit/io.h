@@ -24,11 +24,15 @@ struct FormatInfo {
 /// Every format there is.
 std::span<const FormatInfo> formats();
 
+inline constexpr int kLastReturn = -1;  ///< the last return of every pulse, whatever its number
+
 struct ReadOptions {
   std::string format;  ///< empty: by extension, then content
   std::vector<std::string>
       columns;  ///< names of the columns of a text file or n x k array: x y z u v w, "-" skips
   std::optional<double> nodata;  ///< value of z that stands for a hole; of a raster in place of its header's
+  std::vector<int> classes;      ///< of LAS points, such as 2 for ground; empty: all
+  std::vector<int> returns;      ///< of LAS points: 1 the first, ...; kLastReturn; empty: all
   bool places = false;           ///< a table may lack z (places to evaluate at): its z are then NaN
 };
 /// Reads a data file. Memory is taken only once the file's size can hold what its header claims.

@@ -50,8 +50,9 @@ struct PointRows {
 /// What a reader returns.
 struct SourceData {
   std::string path;    ///< as named by the user
-  std::string format;  ///< "esri-ascii", "csv", "npy", "rows", "ply", "obj", "off", "stl"
+  std::string format;  ///< "esri-ascii", "csv", "npy", "rows", "ply", "obj", "off", "stl", "las", "pcd"
   std::variant<Raster, PointTable, PointRows, Mesh> content;
+  std::vector<std::string> notes = {};  ///< what a file says beside that, a sentence each: classes of points
 };
 
 }  // namespace knotfit

@@ -19,6 +19,10 @@ SourceData read_ply(const FileBytes& file, const ReadOptions& options);
 SourceData read_obj(const FileBytes& file, const ReadOptions& options);
 SourceData read_off(const FileBytes& file, const ReadOptions& options);
 SourceData read_stl(const FileBytes& file, const ReadOptions& options);
+/// Points of laser scanners; all but those marked as withheld, or those of the classes and returns asked for.
+SourceData read_las(const FileBytes& file, const ReadOptions& options);
+/// Points; rows of points where the file has more than one row, with holes where the scanner saw nothing.
+SourceData read_pcd(const FileBytes& file, const ReadOptions& options);
 
 /// read_data on bytes already in memory: the format from options, else from the path's extension,
 /// else from the content.

@@ -37,6 +37,8 @@ constexpr std::array kFormats = {
     Format{{"off", ".off", "mesh: vertices and polygons in text", true, false}, read_off},
     Format{{"stl", ".stl", "triangles, text or binary; equal corners become one vertex", true, false},
            read_stl},
+    Format{{"las", ".las", "points of a laser scanner, with classes and returns", true, false}, read_las},
+    Format{{"pcd", ".pcd", "points or a grid of points of the Point Cloud Library", true, false}, read_pcd},
     Format{
         {"vtk", ".vts", "VTK structured grid of the surface, with error, normal and curvature", false, true},
         nullptr},
@@ -54,7 +56,7 @@ constexpr std::array<FormatInfo, kFormats.size()> infos() {
 constexpr std::array kInfos = infos();
 
 // Clouds, rasters and CAD files of later versions: a clearer word than "unknown".
-constexpr std::string_view kLater = " .tif .tiff .las .laz .pcd .vtk .vtp .dem .img .nc .gpkg ";
+constexpr std::string_view kLater = " .tif .tiff .vtk .vtp .dem .img .nc .gpkg ";
 
 /// Extension of the last part of a path, in lower case with its dot; empty: none.
 std::string extension_of(const std::string& path) {
@@ -96,6 +98,8 @@ const Format* by_content(std::string_view bytes) {
   if (bytes.starts_with(kNpyMagic)) return by_name("npy");
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return by_name("ply");
   if (bytes.starts_with("OFF")) return by_name("off");
+  if (bytes.starts_with("LASF")) return by_name("las");
+  if (bytes.starts_with("# .PCD")) return by_name("pcd");
   return looks_like_esri_ascii(bytes) ? by_name("esri-ascii") : nullptr;
 }
 
@@ -114,8 +118,16 @@ void refuse_later_format(const std::string& path, const ReadOptions& options) {
         path, fmt::format("{} files are not supported by this version; it reads {}", extension, readable()));
 }
 
+void check_filters(const FileBytes& file, const Format& format, const ReadOptions& options) {
+  if (format.read != read_las && !(options.classes.empty() && options.returns.empty()))
+    throw InvalidInput(file.path() + ": classes and returns are asked for, but only LAS files have them");
+}
+
 SourceData read_as(const FileBytes& file, const ReadOptions& options) {
-  if (!options.format.empty()) return by_name(options.format)->read(file, options);
+  if (!options.format.empty()) {
+    check_filters(file, *by_name(options.format), options);
+    return by_name(options.format)->read(file, options);
+  }
   refuse_later_format(file.path(), options);
   const std::string extension = extension_of(file.path());
   const Format* format = by_extension(extension);
@@ -130,6 +142,7 @@ SourceData read_as(const FileBytes& file, const ReadOptions& options) {
   if (format->read == nullptr)
     throw FileError(file.path(), fmt::format("{} holds {}, not points; data is read from {}", extension,
                                              format->info.summary, readable()));
+  check_filters(file, *format, options);
   if (format->read == read_csv && extension != ".csv" && extension != ".tsv")
     return looks_like_esri_ascii(file.view()) ? read_esri_ascii(file, options)
                                               : read_text_points(file, options);

@@ -148,9 +148,9 @@ class Convert(ToolTest):
         self.refused("convert", "terrain.asc", "-o", "a.tif", words=["not supported by this version"])
         self.refused("convert", "terrain.asc", "-o", "terrain.asc", "--force", words=["is the input"])
         self.refused("convert", "terrain.asc", "-o", "missing/a.csv", words=["missing"])
-        self.write("cloud.las", "LASF")
-        self.refused("convert", "cloud.las", "-o", "a.csv", words=["not supported by this version"])
-        self.assertEqual(self.files(), ["cloud.las", "terrain.asc"])
+        self.write("cloud.vtp", "<VTKFile>")
+        self.refused("convert", "cloud.vtp", "-o", "a.csv", words=["not supported by this version"])
+        self.assertEqual(self.files(), ["cloud.vtp", "terrain.asc"])
 
 
 if __name__ == "__main__":

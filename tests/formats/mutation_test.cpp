@@ -1,6 +1,6 @@
 // Damaged files: an error or a right result, and never more memory than the file's size allows.
 #include "allocation_watch.h"
-#include "support.h"
+#include "cloud_files.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
@@ -22,6 +22,8 @@ std::vector<Sample> samples() {
             (k % 5 == 4 ? "\n" : "");
   }
   for (int k = 0; k < 48; ++k) grid += std::to_string(std::cos(k) * 100) + (k % 8 == 7 ? "\n" : " ");
+  std::vector<LasPoint> scan;
+  for (int k = 0; k < 12; ++k) scan.push_back({k, -k * k, 1000 * k, k % 2 + 1, 2, k % 3});
   SurfaceDocument document;
   document.surface = Surface(KnotVector::uniform(2, 2), KnotVector::uniform(3, 0), 3,
                              std::vector<double>(numbers.begin(), numbers.end()));
@@ -32,7 +34,15 @@ std::vector<Sample> samples() {
           {"points.npy", doubles("20, 3", numbers)},
           {"grid.npy", npy(npy_dictionary(">f4", "6, 10", true), items<float>(numbers, true), 2)},
           {"rows.npy", doubles("4, 5, 3", numbers)},
-          {"a.json", to_json(document)}};
+          {"a.json", to_json(document)},
+          {"old.las", las({.points = scan})},
+          {"new.las", las({.minor = 4, .format = 7, .points = scan})},
+          {"a.pcd", pcd_header("x y z", "4 4 4", "F F F", "1 1 1", 6, 1, "ascii") +
+                        "1 2 3\n4 5 6\n7 8 9\n1 1 1\n2 2 2\nnan nan nan\n"},
+          {"binary.pcd",
+           pcd_header("x y z", "1 4 8", "I F F", "1 1 1", 2, 3, "binary") + std::string(78, '\x12')},
+          {"packed.pcd", pcd_header("x y z", "4 4 4", "F F F", "1 1 1", 20, 1, "binary_compressed") +
+                             pcd_compressed(lzf_literal(items<float>(numbers)), 240)}};
 }
 
 /// What every result must hold, whatever the file said.
@@ -88,7 +98,8 @@ TEST(DamagedFiles, TruncatedAnywhere) {
     for (std::size_t size = 0; size < s.bytes.size(); ++size) {
       const bool good = try_reading(s.name, s.bytes.substr(0, size));
       // Text may end at any of its lines; what says its own size may not.
-      if (s.name.ends_with(".npy")) {
+      if (s.name.ends_with(".npy") || s.name.ends_with(".las") || s.name.ends_with("y.pcd") ||
+          s.name.ends_with("d.pcd")) {
         EXPECT_FALSE(good) << s.name << " cut at " << size;
       }
     }

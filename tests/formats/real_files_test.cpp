@@ -101,6 +101,19 @@ TEST_F(SharedData, RowsAndDepthImage) {
   EXPECT_EQ(depth.size() - holes(depth.xyz) / 3, 60359);
 }
 
+TEST_F(SharedData, LaserScan) {
+  const PointTable all = content<PointTable>(file("autzen.las"));
+  EXPECT_EQ(all.size(), 110000);
+  EXPECT_EQ(range(all.z), std::pair(406.26, 520.51));
+  ReadOptions ground;
+  ground.classes = {2};
+  EXPECT_EQ(content<PointTable>(read_data((folder_ / "autzen.las").string(), ground)).size(), 26107);
+  const std::string cut = (folder_ / "bad_las_points.las").string();
+  expect_throw<FileError>([&] { read_data(cut); },
+                          "claims 110000 points of 34 bytes, but only 691 bytes follow (room "
+                          "for 20); it is cut off");
+}
+
 TEST_F(SharedData, CurvesHaveNoZ) {
   expect_throw<FileError>([&] { file("blade_profile.csv"); },
                           "there is no column z in the header \"x\", \"y\"");

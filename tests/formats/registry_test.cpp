@@ -59,7 +59,7 @@ TEST(Registry, NamesTheFormatsThereAre) {
        {"unknown extension .foo", "esri-ascii (.asc .grd)", "csv (.csv .tsv .txt .xyz .dat)", "npy (.npy)"})
     refuses("a.foo", "1 2 3\n", words);
   refuses("points", "1 2 3\n", "a name without an extension does not tell the format");
-  for (const char* extension : {".tif", ".LAS", ".vtp"})
+  for (const char* extension : {".tif", ".VTK", ".vtp"})
     refuses(std::string("a") + extension, "x",
             "files are not supported by this version; it reads esri-ascii");
   refuses("a.json", "{}", "holds a knotfit surface, not points");
@@ -75,8 +75,8 @@ TEST(Registry, FilesThatCannotBeRead) {
   expect_throw<FileError>([&] { read_data(""); }, "no file name given");
   std::ofstream(folder.file("empty.csv")).flush();
   expect_throw<FileError>([&] { read_data(folder.file("empty.csv")); }, "the file is empty");
-  std::ofstream(folder.file("cloud.las")) << "LASF";
-  expect_throw<FileError>([&] { read_data(folder.file("cloud.las")); }, ".las files are not supported");
+  std::ofstream(folder.file("cloud.vtp")) << "<VTKFile>";
+  expect_throw<FileError>([&] { read_data(folder.file("cloud.vtp")); }, ".vtp files are not supported");
   std::ofstream(folder.file("good.csv")) << "1,2,3\n";
   EXPECT_EQ(std::get<PointTable>(read_data(folder.file("good.csv")).content).size(), 1);
 }

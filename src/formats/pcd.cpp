@@ -1,0 +1,226 @@
+// PCD, files of the Point Cloud Library: points, or a camera's grid of points.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "formats/columns.h"
+#include "formats/lzf.h"
+#include "formats/mesh_builder.h"
+#include "formats/nodata.h"
+#include "formats/number.h"
+#include "formats/pcd_header.h"
+#include "formats/readers.h"
+#include "formats/text_lines.h"
+#include "knotfit/errors.h"
+namespace knotfit {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// x, y, z and, where both are there, u and v.
+struct Fields {
+  std::array<Index, 5> at{-1, -1, -1, -1, -1};
+  std::size_t used = 3;
+};
+
+Fields find_fields(const FileBytes& file, const PcdHeader& header) {
+  Fields fields;
+  constexpr std::string_view names[] = {"x", "y", "z", "u", "v"};
+  for (std::size_t k = 0; k < 5; ++k)
+    for (std::size_t f = 0; f < header.fields.size() && fields.at[k] < 0; ++f)
+      if (header.fields[f].name == names[k]) fields.at[k] = static_cast<Index>(f);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (fields.at[k] < 0) throw FileError(file.path(), fmt::format("the points have no field {}", names[k]));
+  if (fields.at[3] >= 0 && fields.at[4] >= 0) fields.used = 5;
+  return fields;
+}
+
+class Points {
+ public:
+  Points(const FileBytes& file, const PcdHeader& header, const ReadOptions& options)
+      : file_(file), header_(header), fields_(find_fields(file, header)), options_(options) {
+    grid_ = header.height > 1;
+    for (std::size_t k = 0; k < fields_.used; ++k)
+      columns_[k].reserve(static_cast<std::size_t>(header.points));
+  }
+
+  void take(const double* value, Index point, Index line) {
+    bool hole = options_.nodata && is_nodata(value[2], *options_.nodata);
+    for (int c = 0; c < 3; ++c) hole = hole || std::isnan(value[c]);
+    for (std::size_t c = 0; c < fields_.used && !hole; ++c)
+      if (!std::isfinite(value[c])) {
+        const std::string message = fmt::format("point {} (from 1): {} is not finite", point + 1, "xyzuv"[c]);
+        if (line > 0) throw FileError(file_.path(), static_cast<long long>(line), message);
+        throw FileError(file_.path(), message);
+      }
+    holes_ += hole;
+    if (hole && !grid_) return;
+    for (std::size_t c = 0; c < fields_.used; ++c) columns_[c].push_back(hole ? kNan : value[c]);
+    lines_.push_back(line > 0 ? line : point + 1);
+  }
+
+  SourceData finish() {
+    if (holes_ == header_.points) throw FileError(file_.path(), "every point is NaN or has the nodata value");
+    if (!grid_) {
+      PointTable table;
+      std::vector<double>* to[] = {&table.x, &table.y, &table.z, &table.u, &table.v};
+      for (std::size_t c = 0; c < fields_.used; ++c) *to[c] = std::move(columns_[c]);
+      if (holes_ > 0 || header_.encoding == PcdEncoding::ascii) table.line = std::move(lines_);
+      SourceData data{file_.path(), "pcd", std::move(table)};
+      if (holes_ > 0) data.notes.push_back(fmt::format("{} points without coordinates are left out", holes_));
+      return data;
+    }
+    PointRows rows;
+    rows.xyz.reserve(static_cast<std::size_t>(3 * header_.points));
+    for (Index k = 0; k < header_.points; ++k)
+      for (int c = 0; c < 3; ++c)
+        rows.xyz.push_back(columns_[static_cast<std::size_t>(c)][static_cast<std::size_t>(k)]);
+    for (Index r = 0; r <= header_.height; ++r) rows.row_start.push_back(r * header_.width);
+    return {file_.path(), "pcd", std::move(rows)};
+  }
+
+  const Fields& fields() const { return fields_; }
+
+ private:
+  const FileBytes& file_;
+  const PcdHeader& header_;
+  Fields fields_;
+  const ReadOptions& options_;
+  bool grid_ = false;
+  Index holes_ = 0;
+  std::vector<double> columns_[5];
+  std::vector<Index> lines_;
+};
+
+void check_size(const FileBytes& file, const PcdHeader& header, double bytes_each, std::size_t left) {
+  const double bytes = static_cast<double>(header.points) * bytes_each;
+  const bool text = header.encoding == PcdEncoding::ascii;
+  if (bytes > static_cast<double>(left) + (text ? 1 : 0))  // the last line may have no end
+    throw FileError(file.path(),
+                    fmt::format("the header claims {} points, which take {:.0f} bytes{}, but only {} bytes "
+                                "follow; it is cut off",
+                                header.points, bytes, text ? " at least" : "", left));
+}
+
+void read_text(const FileBytes& file, const PcdHeader& header, const ReadOptions& options, SourceData& data) {
+  LineReader lines(text_of(file).substr(header.offset));
+  Index numbers = 0;
+  for (const PcdField& field : header.fields) numbers += field.count;
+  // A number takes a digit and what parts it from the next.
+  check_size(file, header, 2 * static_cast<double>(numbers), lines.left());
+  Points points(file, header, options);
+  std::vector<Index> first;  // number of the line that a field begins with
+  for (Index at = 0; const PcdField& field : header.fields) first.push_back(at), at += field.count;
+  TextLine line;
+  Index point = 0;
+  while (lines.next(line)) {
+    if (line.text.empty()) continue;
+    const auto number = static_cast<long long>(line.number + header.lines);
+    if (point == header.points)
+      throw FileError(file.path(), number, "data after the last point that the header claims");
+    const auto words = split_fields(line.text, Separator::blanks);
+    if (static_cast<Index>(words.size()) != numbers)
+      throw FileError(file.path(), number,
+                      fmt::format("{} numbers, but the header's fields have {}", words.size(), numbers));
+    double value[5] = {};
+    for (std::size_t c = 0; c < points.fields().used; ++c) {
+      const std::string_view word =
+          words[static_cast<std::size_t>(first[static_cast<std::size_t>(points.fields().at[c])])];
+      const ParsedNumber parsed = parse_number(word);
+      if (parsed.status != NumberStatus::ok)
+        throw FileError(file.path(), number,
+                        fmt::format("{}: {} is not a number", "xyzuv"[c], in_quotes(word)));
+      value[c] = parsed.value;
+    }
+    points.take(value, point++, number);
+  }
+  if (point < header.points)
+    throw FileError(file.path(),
+                    fmt::format("ends after {} of the {} points that the header claims; it is cut off", point,
+                                header.points));
+  data = points.finish();
+}
+
+/// Numbers of point after point: beside each other, or field by field (compressed).
+void read_numbers(std::string_view bytes, const PcdHeader& header, bool padding, Points& points) {
+  const Fields& fields = points.fields();
+  const char* start[5] = {};
+  Index step[5] = {};
+  LoadNumber load[5] = {};
+  const bool apart = header.encoding == PcdEncoding::compressed;
+  Index at = 0;
+  for (std::size_t f = 0; f < header.fields.size(); ++f) {
+    const PcdField& field = header.fields[f];
+    for (std::size_t c = 0; c < fields.used; ++c)
+      if (fields.at[c] == static_cast<Index>(f)) {
+        start[c] = bytes.data() + at;
+        step[c] = apart ? field.bytes() : header.point_bytes();
+        load[c] = number_loader(field.type, false);
+      }
+    if (!apart)
+      at += field.bytes();
+    else if (padding || field.name != "_")
+      at += field.bytes() * header.points;
+  }
+  for (Index k = 0; k < header.points; ++k) {
+    double value[5] = {};
+    for (std::size_t c = 0; c < fields.used; ++c) value[c] = load[c](start[c] + k * step[c]);
+    points.take(value, k, 0);
+  }
+}
+
+std::string unpacked(const FileBytes& file, const PcdHeader& header, bool& padding) {
+  const std::string_view left = file.view().substr(header.offset);
+  if (left.size() < 8)
+    throw FileError(file.path(), "ends before the sizes of its compressed data: it is cut off");
+  const auto size = [&](std::size_t at) {
+    return static_cast<std::size_t>(number_loader({'u', 4}, false)(left.data() + at));
+  };
+  const std::size_t packed = size(0), whole = size(4);
+  if (packed > left.size() - 8)
+    throw FileError(file.path(),
+                    fmt::format("the header claims {} compressed bytes, but only {} follow; it is cut off",
+                                packed, left.size() - 8));
+  double all = 0, named = 0;
+  for (const PcdField& field : header.fields) {
+    const double bytes = static_cast<double>(field.bytes()) * static_cast<double>(header.points);
+    all += bytes;
+    if (field.name != "_") named += bytes;
+  }
+  // PCL leaves padding out of compressed data; others may not.
+  padding = static_cast<double>(whole) == all;
+  if (!padding && static_cast<double>(whole) != named)
+    throw FileError(file.path(),
+                    fmt::format("{} points take {:.0f} bytes, but the compressed data stands for {}",
+                                header.points, named, whole));
+  std::optional<std::string> bytes = decompress_lzf(left.substr(8, packed), whole);
+  if (!bytes) throw FileError(file.path(), "the compressed data is damaged");
+  return std::move(*bytes);
+}
+
+}  // namespace
+
+SourceData read_pcd(const FileBytes& file, const ReadOptions& options) {
+  const PcdHeader header = parse_pcd_header(file);
+  SourceData data;
+  if (header.encoding == PcdEncoding::ascii) {
+    read_text(file, header, options, data);
+    return data;
+  }
+  const std::string_view left = file.view().substr(header.offset);
+  bool padding = true;
+  std::string bytes;
+  if (header.encoding == PcdEncoding::compressed)
+    bytes = unpacked(file, header, padding);
+  else
+    check_size(file, header, static_cast<double>(header.point_bytes()), left.size());
+  check_claim(file, header.points, "points", 0, 0);
+  Points points(file, header, options);
+  read_numbers(header.encoding == PcdEncoding::compressed ? std::string_view(bytes) : left, header, padding,
+               points);
+  return points.finish();
+}
+
+}  // namespace knotfit
