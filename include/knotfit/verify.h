@@ -18,6 +18,7 @@ std::vector<double> recheck_errors(const Surface& surface, const ParameterizedPo
 struct BetweenOptions {
   Index random_places = 3000;  ///< uniformly random in the domain
   Index gap_places = 1000;     ///< the widest gaps and border places
+  Index cell_places = 500;     ///< at most: middles of knot cells that hold fewer than three points
   unsigned long long seed = 1;
   /// Interior knots (u, v) of an error-model net: the second metric where the first is unsure;
   /// empty: none.

@@ -42,11 +42,12 @@ Guard::Guard(const ParameterizedPoints& points, double tolerance, const Interior
   for (bool fill : {true, false})
     for (const auto& place : fill ? cover_gaps(field_.neighbours(), kRadius, kBorder)
                                   : cover_gaps(field_.neighbours(), kReserveRadius, kReserveBorder))
-      if (points.map.covers(place[0], place[1]))
-        sites_.push_back({.place = place,
-                          .gap = field_.neighbours().gap(place[0], place[1]),
-                          .fill = fill,
-                          .reference = {}});
+      if (points.map.covers(place[0], place[1])) watch(place, fill);
+}
+
+void Guard::watch(const std::array<double, 2>& place, bool fill) {
+  sites_.push_back(
+      {.place = place, .gap = field_.neighbours().gap(place[0], place[1]), .fill = fill, .reference = {}});
 }
 
 double Guard::slack(const Site& site) const {
@@ -107,7 +108,22 @@ Index Guard::fill(FitProblem& problem) {
   return static_cast<Index>(sites.size());
 }
 
+void Guard::watch_empty_cells(FitProblem& problem) {
+  const Axis &u = problem.axis_u(), &v = problem.axis_v();
+  std::vector<char> held(u.spans() * v.spans(), 0);
+  auto cell = [&](double x, double y) { return u.span(x) * v.spans() + v.span(y); };
+  for (Index k = 0; k < points_.size(); ++k) held[cell(points_.u(k), points_.v(k))] = 1;
+  for (const Site& site : sites_) held[cell(site.place[0], site.place[1])] = 1;
+  for (Index a = 0; a < u.spans(); ++a)
+    for (Index b = 0; b < v.spans(); ++b) {
+      if (held[a * v.spans() + b] || !(u.length(a) > 0) || !(v.length(b) > 0)) continue;
+      const std::array<double, 2> place{u.low(a) + u.length(a) / 2, v.low(b) + v.length(b) / 2};
+      if (points_.map.covers(place[0], place[1])) watch(place, false);
+    }
+}
+
 Index Guard::exchange(FitProblem& problem) {
+  watch_empty_cells(problem);
   const std::vector<Index> sites = sites_that_matter(problem, false);
   std::vector<double> uv;
   for (Index i : sites) uv.insert(uv.end(), sites_[i].place.begin(), sites_[i].place.end());

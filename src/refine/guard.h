@@ -31,7 +31,8 @@ class Guard {
   /// The fill points that matter to the problem's present knots join for good: the problem has to take
   /// them in. \return their number
   Index fill(FitProblem& problem);
-  /// Likewise the places, of fill and reserve, where its present surface is above 1.02 slack tolerance.
+  /// Likewise the places, of fill and reserve and in the middle of empty cells, where its present surface is above 1.02
+  /// slack tolerance.
   Index exchange(FitProblem& problem);
 
  private:
@@ -42,6 +43,9 @@ class Guard {
     enum { open, known, joined } state = open;
     verify::ReferenceValue reference;  ///< where known
   };
+  void watch(const std::array<double, 2>& place, bool fill);
+  /// The cover's steps miss cells that are narrower: their middles become sites of the reserve.
+  void watch_empty_cells(FitProblem& problem);
   /// Sites not joined that matter to the knots, their references computed. Those without one are left out.
   std::vector<Index> sites_that_matter(FitProblem& problem, bool fill_only);
   double slack(const Site& site) const;  ///< infinity: not held to the maximum

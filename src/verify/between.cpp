@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "knotfit/errors.h"
 #include "knotfit/verify.h"
+#include "verify/cell_places.h"
 #include "verify/de_boor.h"
 #include "verify/gap_places.h"
 #include "verify/random.h"
@@ -51,9 +52,9 @@ void check(const Surface& surface, const ParameterizedPoints& points, double tol
            const BetweenOptions& options) {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     throw InvalidInput(fmt::format("a tolerance of {}: it must be positive and finite", tolerance));
-  if (options.random_places < 0 || options.gap_places < 0)
-    throw InvalidInput(fmt::format("{} random and {} gap places: neither may be negative",
-                                   options.random_places, options.gap_places));
+  if (options.random_places < 0 || options.gap_places < 0 || options.cell_places < 0)
+    throw InvalidInput(fmt::format("{} random, {} gap and {} cell places: none may be negative",
+                                   options.random_places, options.gap_places, options.cell_places));
   validate(points);
   if (surface.empty())
     throw InvalidInput("no surface to measure between the points: its control net is empty");
@@ -181,6 +182,8 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
   }
   if (watch.over()) return {};
   for (const Place& p : verify::gap_places(field.neighbours(), options.gap_places, options.seed))
+    if (points.map.covers(p[0], p[1])) places.push_back(p);
+  for (const Place& p : verify::cell_places(surface, points, options.cell_places))
     if (points.map.covers(p[0], p[1])) places.push_back(p);
   const std::vector<ReferenceValue> reference = field.at(places, [&](Index done) {
     watch.report(done, tolerance);

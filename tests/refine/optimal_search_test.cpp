@@ -127,6 +127,24 @@ TEST(Guard, TakesInWhereASurfaceGoesAstray) {
   EXPECT_GT(guard.exchange(problem), 200);
 }
 
+TEST(Guard, LooksIntoASlitBetweenTwoKnots) {
+  const ParameterizedPoints points = synthetic_points("franke", 4000);
+  const double tolerance = 1e-3 * synthetic_diagonal(points);
+  Guard guard(points, tolerance, {uniform_knots(12), uniform_knots(12)}, {});
+  FitProblem problem = moving(guard.points());
+  const InteriorKnots knots{{0.4999, 0.4999, 0.5, 0.5001, 0.5001}, {}};
+  problem.solve(knots);
+  std::vector<double> net = problem.net();
+  const Index columns = problem.axis_v().functions();
+  for (Index j = 0; j < columns; ++j) net[4 * columns + j] += 1e3 * tolerance;  // inside of the slit alone
+  problem.evaluate(knots, net);
+  guard.exchange(problem);
+  bool inside = false;
+  for (Index k = points.size(); k < guard.points().size(); ++k)
+    inside |= std::abs(guard.points().u(k) - 0.5) < 1e-4;
+  EXPECT_TRUE(inside);
+}
+
 TEST(OptimalSearch, NeedsFewerControlPointsThanPlacedKnots) {
   for (const auto& [name, most] : {std::pair{"franke", 116}, {"step", 110}, {"torus", 110}}) {
     const ParameterizedPoints points = synthetic_points(name, 10000);
