@@ -200,9 +200,17 @@ void add_knot_options(CLI::App& app, FitArguments& fit) {
   add(app, "--feature", one_of(kFeatures),
       "Feature measure of the criterion and of insertion; default hessian", group,
       [&](const std::string& t) { c.feature = parse_named(kFeatures, t); });
+  add_feature_file(app, c, group);
   add_evaluations(app, c, group);
   add(app, "--smoothing", "X", "Relative smoothing floor of the least squares; default 1e-9", group,
       [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
+}
+
+void add_feature_file(CLI::App& app, FitChoices& c, const std::string& group) {
+  add(app, "--feature-file", "FILE",
+      "A feature measure of your own, in place of --feature: a grid, or points x,y,z or u,v,z in the data's "
+      "parameters, whose z is the measure, at least 0",
+      group, [&](const std::string& t) { c.feature_file = t; });
 }
 
 void add_data_options(CLI::App& app, FitChoices& c) {

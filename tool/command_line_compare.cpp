@@ -31,7 +31,9 @@ void add_compare(CLI::App& app, CompareArguments& compare) {
         each_of(t, [&](const std::string& one) { compare.tolerances.push_back(parse_tolerance(one)); });
       });
   add(app, "--methods", "A,B,...",
-      "Methods by name (knotfit methods lists them), criterion:MEASURE for a feature measure; default all",
+      "Methods by name (knotfit methods lists them), criterion:MEASURE for a feature measure "
+      "(criterion:given: that of "
+      "--feature-file); default all",
       what,
       [&](const std::string& t) { each_of(t, [&](const std::string& m) { compare.methods.push_back(m); }); });
   CLI::Option* within = add(app, "--within", "P%", "The share of the points that must hold a tolerance", what,
@@ -50,6 +52,7 @@ void add_compare(CLI::App& app, CompareArguments& compare) {
       [&](const std::string& t) { c.max_fits = static_cast<long>(parse_count(t, 1)); });
   add(app, "--feature", one_of(kFeatures), "Feature measure of methods that have one; default hessian", what,
       [&](const std::string& t) { c.feature = parse_named(kFeatures, t); });
+  add_feature_file(app, c, what);
   add(app, "--smoothing", "X", "Relative smoothing floor of the least squares; default 1e-9", what,
       [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
   add_data_options(app, c);

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "compare_report.h"
 #include "exit_status.h"
+#include "feature_file.h"
 #include "knotfit/errors.h"
 #include "knotfit/threads.h"
 #include "options_json.h"
@@ -30,6 +31,7 @@ CompareOptions compare_options(const CompareArguments& arguments) {
   fit.max_fits = c.max_fits.value_or(FitOptions{}.max_fits);
   fit.smoothing = c.smoothing.value_or(FitOptions{}.smoothing);
   fit.feature = c.feature.value_or(FeatureMeasure::hessian);
+  if (c.feature_file) fit.user_features = {.size_u = 1, .size_v = 1, .f = {1}};  // until the data is read
   fit.evaluations = c.evaluations.value_or(FitOptions{}.evaluations);
   fit.between = c.between.value_or(true);
   return options;
@@ -38,7 +40,7 @@ CompareOptions compare_options(const CompareArguments& arguments) {
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
-  const CompareOptions options = compare_options(arguments);
+  CompareOptions options = compare_options(arguments);
   comparison_rows(options);  // what cannot be asked is said before anything is read
   StopOnSignal stop;
   set_thread_count(arguments.threads);
@@ -48,6 +50,8 @@ int run_compare(const CompareArguments& arguments) {
   if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
   control.stop = stop.token();
   const FitInput input = read_fit_input(arguments.input, arguments.choices, control);
+  if (arguments.choices.feature_file)
+    options.fit.user_features = read_feature_file(*arguments.choices.feature_file, input.points.map);
   std::optional<CompareFolder> folder;
   if (!arguments.folder.empty()) folder.emplace(arguments.folder, arguments.force);
 

@@ -7,6 +7,7 @@
 #include "cad_output.h"
 #include "commands.h"
 #include "exit_status.h"
+#include "feature_file.h"
 #include "fit_report.h"
 #include "knotfit/errors.h"
 #include "knotfit/fit_sheared.h"
@@ -100,6 +101,7 @@ FitOptions fit_options(const FitChoices& c, const FitInput& input) {
   options.evaluations = c.evaluations.value_or(FitOptions{}.evaluations);
   options.smoothing = *c.smoothing;
   options.feature = *c.feature;
+  if (c.feature_file) options.user_features = read_feature_file(*c.feature_file, input.points.map);
   options.between = *c.between;
   return options;
 }
@@ -297,6 +299,8 @@ int run_fit(const FitArguments& arguments) {
       input.points = corrected.points;
       input.all_points = {};
     } else if (choices.shear->asked()) {
+      if (choices.feature_file)
+        throw InvalidInput("--feature-file is over the parameters as they are: leave out --shear");
       std::optional<Shear> shear;
       if (!choices.shear->automatic) shear = Shear{choices.shear->u, choices.shear->v};
       ShearedFit fit = fit_sheared(input.points, fit_options(choices, input), shear, control);

@@ -89,6 +89,7 @@ struct FitChoices {
   std::optional<long> max_fits;
   std::optional<double> time_limit;
   std::optional<FeatureMeasure> feature;
+  std::optional<std::string> feature_file;  ///< in place of `feature`
   std::optional<long> evaluations;
   std::optional<double> smoothing;
   std::optional<bool> between;

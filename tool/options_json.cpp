@@ -206,6 +206,10 @@ const std::vector<Row>& table() {
       count<long>("max_fits", &FitChoices::max_fits, 0, "--max-fits"),
       number("time_limit", &FitChoices::time_limit, parse_positive, 0, "--time-limit"),
       named("feature", &FitChoices::feature, kFeatures, FeatureMeasure::hessian, "--feature"),
+      row<std::string>(
+          "feature_file", &FitChoices::feature_file, [](const std::string& t) { return Json(t); },
+          [](const Json& j) { return j.get<std::string>(); },
+          [](const std::string& t) { return fmt::format("--feature-file '{}'", t); }),
       count<long>("evaluations", &FitChoices::evaluations, FitOptions{}.evaluations, "--evaluations"),
       number("smoothing", &FitChoices::smoothing, parse_not_negative, 1e-9, "--smoothing"),
       flag("between", &FitChoices::between, true, "--between off"),

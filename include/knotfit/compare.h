@@ -11,7 +11,8 @@ namespace knotfit {
 
 struct CompareOptions {
   /// Names of placement_methods(), "criterion:curvature" and the like for a feature measure other than
-  /// FitOptions::feature, or "all": every method, and the criterion on every measure.
+  /// FitOptions::feature ("criterion:given": FitOptions::user_features, which methods without a measure in their name
+  /// use too), or "all": every method, and the criterion on every measure.
   std::vector<std::string> methods{"all"};
   std::vector<std::pair<int, int>> sizes;    ///< control points along u and v
   std::vector<ToleranceRequest> tolerances;  ///< sizes searched to each
@@ -40,7 +41,7 @@ std::vector<CompareRow> compare_methods(const ParameterizedPoints& points, const
                                         const Control& control = {},
                                         const std::function<void(const CompareRow&)>& done = {});
 
-/// "criterion:curvature" as a method and a measure. \throws InvalidInput  unknown
+/// "criterion:curvature" as a method and a measure; "given" is no measure and gives `otherwise`. \throws InvalidInput  unknown
 std::pair<std::string, FeatureMeasure> split_method(std::string_view name, FeatureMeasure otherwise);
 
 }  // namespace knotfit

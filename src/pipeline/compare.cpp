@@ -16,6 +16,13 @@ constexpr std::pair<std::string_view, FeatureMeasure> kMeasures[] = {
     {"derivative", FeatureMeasure::derivative},
     {"residual", FeatureMeasure::residual}};
 
+constexpr std::string_view kGiven = "given";  ///< FitOptions::user_features
+
+bool by_given_features(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon != std::string_view::npos && name.substr(colon + 1) == kGiven;
+}
+
 std::vector<std::string> wanted_methods(const CompareOptions& options) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
@@ -24,6 +31,8 @@ std::vector<std::string> wanted_methods(const CompareOptions& options) {
   for (const std::string& asked : options.methods) {
     if (asked != "all") {
       split_method(asked, options.fit.feature);
+      if (by_given_features(asked) && options.fit.user_features.empty())
+        throw InvalidInput(fmt::format("'{}' needs a feature measure of your own, and there is none", asked));
       add(asked);
       continue;
     }
@@ -33,6 +42,7 @@ std::vector<std::string> wanted_methods(const CompareOptions& options) {
         continue;
       }
       for (const auto& [measure, value] : kMeasures) add(fmt::format("criterion:{}", measure));
+      if (!options.fit.user_features.empty()) add(fmt::format("criterion:{}", kGiven));
     }
   }
   return names;
@@ -53,10 +63,12 @@ std::pair<std::string, FeatureMeasure> split_method(std::string_view name, Featu
     throw InvalidInput(fmt::format("there is no placement method '{}'; there are {}", method, known));
   if (colon == std::string_view::npos) return {std::string(method), otherwise};
   const std::string_view measure = name.substr(colon + 1);
+  if (measure == kGiven) return {std::string(method), otherwise};
   for (const auto& [known_measure, value] : kMeasures)
     if (measure == known_measure) return {std::string(method), value};
   throw InvalidInput(fmt::format(
-      "there is no feature measure '{}'; there are hessian, curvature, derivative, residual", measure));
+      "there is no feature measure '{}'; there are hessian, curvature, derivative, residual, given",
+      measure));
 }
 
 std::vector<CompareRow> comparison_rows(const CompareOptions& options) {
@@ -97,6 +109,8 @@ std::vector<CompareRow> compare_methods(const ParameterizedPoints& points, const
                         .size_v = row.asked_v});
     FitOptions fit = options.fit;
     std::tie(fit.method, fit.feature) = split_method(row.method, options.fit.feature);
+    // A measure that is named goes before one that is given for all.
+    if (row.method.find(':') != std::string::npos && !by_given_features(row.method)) fit.user_features = {};
     fit.knots.reset();
     fit.control_points_u = row.asked_u;
     fit.control_points_v = row.asked_v;

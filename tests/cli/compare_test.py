@@ -10,7 +10,7 @@ import time
 import unittest
 import xml.dom.minidom
 
-from harness import TOOL, ToolTest, default_signals, step
+from harness import SAMPLES, TOOL, ToolTest, default_signals, step
 
 
 class Compare(ToolTest):
@@ -79,6 +79,47 @@ class Compare(ToolTest):
         text = self.run_tool("compare", "points.csv", "--sizes", "9x9", "--methods", "uniform", "-o", "r").stdout
         self.assertIn("failed: 60 points are fewer", text)
         self.assertTrue((self.folder / "r" / "table.csv").exists())
+
+    def test_a_feature_measure_of_ones_own(self):
+        self.write_points(count=400)
+        # All of it in a band along v, where u is near 0.7: the criterion's knots gather there.
+        self.write("band.csv", "u,v,z\n" + "".join(
+            f"{(i + 0.5) / 60},{(j + 0.5) / 10},{1.0 if abs((i + 0.5) / 60 - 0.7) < 0.1 else 0.01}\n"
+            for i in range(60) for j in range(10)))
+        rows = self.rows("--sizes", "10x5", "--methods", "criterion:given,criterion:hessian,centroid", "--feature-file",
+                         "band.csv", "--between", "off")
+        plain = self.rows("--sizes", "10x5", "--methods", "criterion:hessian,centroid", "--between", "off")
+        inside = lambda row: sum(abs(t - 0.7) < 0.11 for t in row["knots"]["u"])
+        self.assertGreaterEqual(inside(rows[0]), 4)
+        self.assertEqual(rows[1]["knots"], plain[0]["knots"])  # a measure by name is not the one given
+        self.assertNotEqual(rows[2]["knots"], plain[1]["knots"])
+        fit = self.run_json("fit", "points.csv", "--knots", "criterion", "--control-points", "10x5", "--feature-file",
+                            "band.csv", "-o", "s.json")
+        self.assertEqual(fit["error"]["rms"], rows[0]["rms"])
+        again = self.run_json("fit", "points.csv", "--options", "s.json")
+        self.assertEqual(again["error"], fit["error"])
+        names = [r["method"] for r in self.rows("--sizes", "5", "--feature-file", "band.csv", "--evaluations", "20",
+                                                "--between", "off")]
+        self.assertIn("criterion:given", names)
+        # A grid in the coordinates of a height field; what lies outside is left out.
+        self.write_heights()
+        self.write("grid.asc", "ncols 12\nnrows 12\nxllcorner 98\nyllcorner 48\ncellsize 0.5\n" +
+                   ("1 " * 12 + "\n") * 12)
+        ask = ["fit", "heights.csv", "--height-field", "--knots", "criterion", "--control-points", "6", "--feature-file",
+               "grid.asc"]
+        self.run_tool(*ask)
+        self.refused(*ask, "--shear", "auto", words=["--feature-file", "--shear"])
+
+    def test_a_feature_measure_that_is_none(self):
+        self.write_points(count=60)
+        ask = ["compare", "points.csv", "--sizes", "5", "--methods", "criterion:given"]
+        self.refused(*ask, words=["criterion:given", "needs a feature measure"])
+        self.refused(*ask, "--feature-file", "missing.csv", words=["missing.csv"])
+        self.write("f.csv", "u,v,z\n0.1,0.2,1\n0.3,0.4,-2\n")
+        self.refused(*ask, "--feature-file", "f.csv", words=["f.csv:3", "-2", "at least 0"])
+        self.write("f.csv", "u,v,z\n3,0.2,1\n")
+        self.refused(*ask, "--feature-file", "f.csv", words=["f.csv", "no value over the data, u in [0, 1]"])
+        self.refused(*ask, "--feature-file", SAMPLES / "face.obj", words=["face.obj", "is a mesh"])
 
     def test_what_cannot_be_asked(self):
         self.write_points(count=60)

@@ -24,7 +24,7 @@ _knotfit() {
     --unit) COMPREPLY=($(compgen -W "mm m inch" -- "$current")); return ;;
     --step-schema) COMPREPLY=($(compgen -W "ap214 ap242" -- "$current")); return ;;
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
-    --points | --options | --knots-from | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
+    --points | --options | --knots-from | --feature-file | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
     --tol | --sizes | --tolerances | --evaluations | --knots-t | --within | --control-points | --degree | --shear | --max-control-points | --max-fits | --time-limit | \
       --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
       --derivatives | --derivative | --omega | --samples | --lines | --name | --cad-tol | --face) return ;;
@@ -40,13 +40,14 @@ _knotfit() {
   case $command in
     fit)
       options="--tol --within --rms --control-points --degree --shear --max-control-points --max-fits --time-limit
-        --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --evaluations --smoothing $input --height-field
+        --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --feature-file --evaluations --smoothing
+        $input --height-field
         --spacing --rescale-parameters --duplicates $mesh --new-parameters --correct $output --samples --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
         --no-orient --no-drop-degenerate --no-new-parameters --no-cad-safe" ;;
     compare)
       options="--sizes --tolerances --methods --within --rms --degree --evaluations --max-control-points --max-fits
-        --feature --smoothing $input --height-field --spacing --rescale-parameters --duplicates
+        --feature --feature-file --smoothing $input --height-field --spacing --rescale-parameters --duplicates
         $mesh $output --json --between --threads --quiet" ;;
     fit-curve)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --knots --knots-t

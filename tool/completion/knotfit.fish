@@ -62,6 +62,7 @@ complete -c knotfit -n $fit -l refine -x -a 'search insert' -d 'Route to a toler
 complete -c knotfit -n $fit -l effort -x -a 'fast balanced best' -d 'Work of a search'
 complete -c knotfit -n $fit -l guard -x -a 'on off' -d 'Hold the surface between the points'
 complete -c knotfit -n $fits -l feature -x -a 'hessian curvature derivative residual' -d 'Feature measure'
+complete -c knotfit -n $both -l feature-file -r -d 'Feature measure of your own'
 complete -c knotfit -n $fits -l smoothing -x -d 'Relative smoothing floor'
 complete -c knotfit -n $both -l height-field -d 'Fit z over x, y'
 complete -c knotfit -n $fits -l spacing -x -a 'chord centripetal uniform' -d 'Parameters of rows'
