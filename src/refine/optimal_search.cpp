@@ -1,6 +1,7 @@
 // The size search with knots that minimise the error [METHOD 4], where that can pay.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -18,14 +19,31 @@ constexpr double kLeastThoroughSaving =
 constexpr double kLittleWork = 2e10;  // seconds: then even a small saving is worth it
 constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the work
 
-/// Knots of the error model instead, with the reason.
-RefineResult search_placed_instead(FitProblem& data, RefineOptions options, const Control& control,
+/// Knots of the error model instead, with the reason. Where they hold the tolerance at no size, knot lines inserted
+/// where the errors are may: each moves the knots on, and none is placed before the data asks for it.
+RefineResult search_placed_instead(FitProblem& data, const RefineOptions& options, const Control& control,
                                    const std::string& reason) {
-  options.method = "error-model";
-  RefineResult result = search_placed(data, options, control);
-  result.method = options.method;
+  RefineOptions placed = options;
+  placed.method = "error-model";
+  const auto start = std::chrono::steady_clock::now();
+  RefineResult result = search_placed(data, placed, control);
+  result.method = placed.method;
   result.notes.push_back(reason + "; the knots come from the error model");
-  return result;
+  const bool failed = result.status == Status::limit_reached || result.status == Status::data_too_sparse;
+  if (!failed || !can_optimise_insertion(data.points())) return result;
+  Control rest = control;
+  if (control.time_limit > 0) {
+    rest.time_limit =
+        control.time_limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (rest.time_limit <= 0) return result;
+  }
+  RefineResult inserted = insert_isolines(data, options, rest);
+  if (inserted.status != Status::reached) return result;
+  inserted.method = options.method;
+  inserted.fits += result.fits;
+  inserted.notes.push_back(
+      reason + "; the error model's knots held the tolerance at no size, and knot lines were inserted");
+  return inserted;
 }
 
 }  // namespace

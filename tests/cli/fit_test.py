@@ -47,6 +47,12 @@ class ExitStatus(ToolTest):
                                status=3)
         self.assertEqual(report["status"], "time_limit")
 
+    def test_0_where_sizes_fail_and_inserted_knot_lines_hold(self):
+        report = self.run_json("fit", SAMPLES / "face.uv.csv", "--tol", "1%", "--between", "off")
+        self.assertEqual(report["status"], "reached")
+        self.assertLessEqual(report["control_points"], 950)
+        self.assertTrue(any("knot lines were inserted" in note for note in report["notes"]), report["notes"])
+
     def test_2_for_usage(self):
         self.write_points()
         for arguments, words in [
