@@ -86,6 +86,11 @@ void add_input_options(CLI::App& app, InputOptions& input) {
       group, [&](const std::string& t) { input.columns = parse_columns(t); });
   add(app, "--nodata", "V", "Value that stands for a hole in a raster or an array", group,
       [&](const std::string& t) { input.nodata = parse_number(t); });
+  add(app, "--classes", "N,M,...", "Only LAS points of these classes, such as 2 for ground; default: all",
+      group, [&](const std::string& t) { input.classes = parse_classes(t); });
+  add(app, "--returns", "first|last|N,...",
+      "Only these returns of LAS pulses, by number, first, or the last of each; default: all", group,
+      [&](const std::string& t) { input.returns = parse_returns(t); });
 }
 
 CLI::Option* add_output_options(CLI::App& app, OutputOptions& output, const std::string& what) {
@@ -228,6 +233,16 @@ void add_data_options(CLI::App& app, FitChoices& c) {
       "What becomes of points with equal parameters: their mean, "
       "the lowest, the highest; default fail: an error where no surface can meet the tolerance at both",
       group, [&](const std::string& t) { c.duplicates = parse_named(kDuplicateRules, t); });
+  add(app, "--base", "BASE|FILE|A,B,C,D",
+      "What points without parameters are projected to: plane (through their principal axes), cylinder, "
+      "graph (no "
+      "base: nearest neighbours make a mesh that is mapped), the file of a surface, or four of boundary "
+      "curves; "
+      "default auto: plane, or graph where they fold over it. Given parameters are left aside",
+      group, [&](const std::string& t) {
+        parse_base(t);
+        c.base = t;
+      });
 }
 
 void add_mesh_options(CLI::App& app, FitChoices& c) {
@@ -333,13 +348,14 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   add_knot_options(app, fit);
   add_data_options(app, c);
   add_mesh_options(app, c);
-  add_flag(app, "--new-parameters", "Map a mesh anew that has parameters (vt; s, t; u, v)", "Meshes",
-           [&] { c.new_parameters = true; });
+  add_flag(app, "--new-parameters", "Map a mesh or points anew that have parameters (vt; s, t; u, v)",
+           "Meshes", [&] { c.new_parameters = true; });
   add(app, "--correct", "auto|off|N",
-      "Parameters of a mesh corrected together with the control points, in N rounds; the error is then the "
-      "distance to the surface. Default auto: 30 rounds for a mesh that is mapped, where --control-points or "
-      "knots "
-      "are given",
+      "Parameters corrected together with the control points, in N rounds; the error is then the distance to "
+      "the "
+      "surface. Default auto: 30 rounds for meshes and clouds that are mapped and for rows of different "
+      "lengths, "
+      "where --control-points or knots are given",
       "Meshes", [&](const std::string& t) { c.correct = parse_correct(t); });
   add_output_options(
       app, fit.output,

@@ -70,6 +70,7 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
     if (!*flag) *flag = false;
   if (!c.correct) c.correct = -1;
   if (!c.corners) c.corners = "auto";
+  if (!c.base) c.base = "auto";
   if (!c.samples) c.samples = kSamplesPerSpan;
   return c;
 }
@@ -108,12 +109,15 @@ FitOptions fit_options(const FitChoices& c, const FitInput& input) {
 
 // Rounds of parameter correction; 0: none.
 int correction_rounds(const FitChoices& c, const FitInput& input) {
-  const bool mapped = input.mesh && input.mesh->map, fixed = c.control_points || c.knots->given;
+  const bool mapped = input.mesh && input.mesh->map && (*c.correct > 0 || input.points.weights.empty()),
+             fixed = c.control_points || c.knots->given;
   if (*c.correct <= 0) return *c.correct < 0 && mapped && fixed ? CorrectionOptions{}.rounds : 0;
   if (!mapped)
     throw InvalidInput(
-        "--correct needs a mesh that is mapped: the parameters of other data are kept "
+        "--correct needs points or a mesh in space that are mapped: height fields keep their parameters "
         "(--new-parameters maps a mesh that has some)");
+  if (!input.points.weights.empty())
+    throw InvalidInput("--correct knows no weights of the points: leave column w out, with - in --columns");
   if (!fixed) throw InvalidInput("--correct needs --control-points or knots: sizes are searched without it");
   return *c.correct;
 }

@@ -51,6 +51,8 @@ CurvePoints read_points(const CurveArguments& arguments) {
   read.format = c.input.format.value_or("");
   read.columns = c.input.columns.value_or(std::vector<std::string>{});
   read.nodata = c.input.nodata;
+  read.classes = c.input.classes.value_or(std::vector<int>{});
+  read.returns = c.input.returns.value_or(std::vector<int>{});
   read.places = true;  // x, y alone
   const SourceData data = read_data(arguments.input, read);
   try {

@@ -63,7 +63,7 @@ DataFacts facts_of(const PointTable& table) {
   else if (has_uv)
     facts.read_as = "values z with parameters u, v";
   else
-    facts.read_as = "with --height-field z over x, y; there are no parameters u, v";
+    facts.read_as = "a cloud over a base (--base); with --height-field z over x, y";
   const std::pair<const char*, const std::vector<double>*> columns[] = {
       {"x", &table.x}, {"y", &table.y}, {"z", &table.z},
       {"u", &table.u}, {"v", &table.v}, {"w", &table.weight}};
@@ -142,6 +142,7 @@ std::string data_info(const InfoArguments& arguments) {
       j["disk"] = facts.problem.empty();
       j["problem"] = facts.problem.empty() ? Json(nullptr) : Json(facts.problem);
     }
+    j["notes"] = data.notes;
     j["read_as"] = facts.read_as;
     return j.dump() + "\n";
   }
@@ -155,6 +156,7 @@ std::string data_info(const InfoArguments& arguments) {
   if (raster) text += fmt::format("cell: {} x {}\n", raster->dx, raster->dy);
   for (const Range& r : facts.ranges)
     if (!r.empty()) text += fmt::format("{}: {} to {}\n", r.name, r.least, r.most);
+  for (const std::string& note : data.notes) text += note + "\n";
   if (facts.content == "mesh")
     text += "disk: " + (facts.problem.empty() ? "yes" : "no: " + facts.problem) + "\n";
   return text + "fitted as: " + facts.read_as + "\n";

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cloud_input.h"
 #include "knotfit/errors.h"
 #include "knotfit/parameterize.h"
 namespace knotfit::tool {
@@ -18,15 +19,56 @@ ParameterizedPoints parameterize(const Mesh& mesh, const FitChoices& choices, co
   return parameterize_given(table_of(mapped->mesh), choices.rescale_parameters.value_or(false));
 }
 
-ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices) {
+/// A correction of parameters that the points came with is asked for.
+bool corrected(const FitChoices& choices) {
+  return choices.correct.value_or(-1) > 0;
+}
+
+/// The cloud's own parameters, if it has some, are left aside.
+bool wants_base(const FitChoices& choices) {
+  return choices.new_parameters.value_or(false) || choices.base.value_or("auto") != "auto";
+}
+
+ParameterizedPoints parameterize_cloud(const PointTable& table, const FitChoices& choices,
+                                       const Control& control, std::optional<MappedMesh>& mapped) {
+  mapped = map_cloud(table, choices, control);
+  ParameterizedPoints points = mesh_points(mapped->mesh, mapped->map->uv);
+  if (table.weight.empty()) return points;
+  std::vector<Index> row;  // of each line
+  for (Index k = 0; k < table.size(); ++k) {
+    const Index line = table.line.empty() ? k + 1 : table.line[k];
+    if (line >= static_cast<Index>(row.size())) row.resize(static_cast<std::size_t>(line) + 1, 0);
+    row[line] = k;
+  }
+  for (const Index line : points.source) points.weights.push_back(table.weight[row[line]]);
+  return points;
+}
+
+ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, const Control& control,
+                                 std::optional<MappedMesh>& mapped) {
   const bool height_field = choices.height_field.value_or(false);
   if (const Raster* raster = std::get_if<Raster>(&data.content)) return parameterize_height_field(*raster);
-  if (const PointTable* table = std::get_if<PointTable>(&data.content))
-    return height_field ? parameterize_height_field(*table)
-                        : parameterize_given(*table, choices.rescale_parameters.value_or(false));
-  const PointRows& rows = std::get<PointRows>(data.content);
-  return height_field ? parameterize_height_field(table_of(rows))
-                      : parameterize_rows(rows, choices.spacing.value_or(RowSpacing::chord));
+  ParameterizedPoints points;
+  bool mesh = corrected(choices);
+  if (const PointTable* table = std::get_if<PointTable>(&data.content)) {
+    if (height_field) return parameterize_height_field(*table);
+    if (table->u.empty() || wants_base(choices)) return parameterize_cloud(*table, choices, control, mapped);
+    points = parameterize_given(*table, choices.rescale_parameters.value_or(false));
+  } else {
+    const PointRows& rows = std::get<PointRows>(data.content);
+    if (height_field) return parameterize_height_field(table_of(rows));
+    if (choices.base.value_or("auto") != "auto")
+      return parameterize_cloud(table_of(rows), choices, control, mapped);
+    points = parameterize_rows(rows, choices.spacing.value_or(RowSpacing::chord));
+    // Rows of different lengths have parameters that mean little from row to row.
+    mesh = mesh || (rows.common_length() == 0 && choices.correct.value_or(-1) != 0);
+  }
+  const bool anew = choices.new_parameters.value_or(false);
+  if ((!mesh && !anew) || points.dimension != 3) return points;
+  mapped = map_points(points, choices, control);
+  ParameterizedPoints of_mesh = mesh_points(mapped->mesh, mapped->map->uv);
+  of_mesh.map = points.map;
+  return of_mesh;
 }
 
 }  // namespace
@@ -36,6 +78,8 @@ SourceData read_input(const std::string& path, const InputOptions& options) {
   read.format = options.format.value_or("");
   read.columns = options.columns.value_or(std::vector<std::string>{});
   read.nodata = options.nodata;
+  read.classes = options.classes.value_or(std::vector<int>{});
+  read.returns = options.returns.value_or(std::vector<int>{});
   return read_data(path, read);
 }
 
@@ -69,8 +113,8 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
   input.summary.holes = count_holes(data);
   try {
     const Mesh* mesh = std::get_if<Mesh>(&data.content);
-    input.points =
-        mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh) : parameterize(data, choices);
+    input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
+                                   : parameterize(data, choices, control, input.mesh);
     // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
     double tolerance = 0;
     if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {

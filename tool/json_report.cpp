@@ -54,6 +54,7 @@ Json input_of(const FitReport& r) {
                 {"height_field", r.result.height_field},
                 {"diagonal", number(r.result.diagonal)}};
   if (r.input.mesh) input["mesh"] = Json::parse(mesh_to_json(*r.input.mesh));
+  if (r.input.mesh && r.input.mesh->cloud) input["cloud"] = Json::parse(cloud_to_json(*r.input.mesh->cloud));
   if (const auto& raster = r.input.raster)
     input["grid"] = {{"columns", raster->columns}, {"rows", raster->rows},     {"x0", number(raster->x0)},
                      {"y0", number(raster->y0)},   {"dx", number(raster->dx)}, {"dy", number(raster->dy)}};

@@ -103,6 +103,7 @@ PointTable table_of(const Mesh& mesh) {
 }
 
 std::string mesh_to_text(const MappedMesh& mapped) {
+  if (mapped.cloud) return "base: " + describe(*mapped.cloud) + "\n";
   const RepairSummary& r = mapped.repaired;
   std::string text =
       fmt::format("mesh: {} vertices, {} triangles", mapped.mesh.vertex_count(), mapped.mesh.face_count());
@@ -152,6 +153,24 @@ std::string mesh_to_json(const MappedMesh& mapped) {
                 {"trial_distance", number(map.trial_distance)},
                 {"stopped", map.stopped}};
   }
+  return j.dump();
+}
+
+std::string cloud_to_json(const CloudMap& cloud) {
+  Json j = {{"base", name_of(kBases, cloud.base)},
+            {"description", describe(cloud)},
+            {"points", cloud.points},
+            {"coincident", cloud.coincident},
+            {"lone", cloud.lone},
+            {"folded", cloud.folded},
+            {"covered", cloud.covered},
+            {"mapped", cloud.mapped}};
+  if (cloud.base == CloudBase::plane || cloud.base == CloudBase::cylinder) {
+    j["centre"] = cloud.centre;
+    j["axis"] = cloud.axis;
+    j["scatter"] = cloud.scatter;
+  }
+  if (cloud.base == CloudBase::cylinder) j["radius"] = cloud.radius;
   return j.dump();
 }
 

@@ -5,6 +5,7 @@
 
 #include "knotfit/control.h"
 #include "knotfit/mesh.h"
+#include "knotfit/parameterize_cloud.h"
 #include "knotfit/parameterize_mesh.h"
 #include "knotfit/source_data.h"
 #include "options.h"
@@ -15,6 +16,8 @@ struct MappedMesh {
   Mesh mesh;  ///< repaired
   RepairSummary repaired;
   std::optional<MeshMap> map;  ///< absent: the parameters of the file are used, or none are needed
+  /// Where the input was no mesh but points: what they were laid over. Its mesh and map are those above.
+  std::optional<CloudMap> cloud = {};
 };
 
 /// Repairs the mesh as asked.
@@ -32,5 +35,6 @@ PointTable table_of(const Mesh& mesh);
 /// What a report says of the map, as sentences and as the text of a JSON object.
 std::string mesh_to_text(const MappedMesh& mapped);
 std::string mesh_to_json(const MappedMesh& mapped);
+std::string cloud_to_json(const CloudMap& cloud);
 
 }  // namespace knotfit::tool

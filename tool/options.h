@@ -10,6 +10,7 @@
 #include "knotfit/cad.h"
 #include "knotfit/features.h"
 #include "knotfit/parameterize.h"
+#include "knotfit/parameterize_cloud.h"
 #include "knotfit/parameterize_mesh.h"
 #include "knotfit/place.h"
 #include "knotfit/refine.h"
@@ -52,11 +53,19 @@ struct CornerChoice {
   std::vector<std::array<double, 3>> places{};  ///< four, or none
 };
 
+/// --base: what a cloud is projected to.
+struct BaseChoice {
+  CloudBase kind = CloudBase::automatic;
+  std::string surface{};              ///< file of a given one
+  std::vector<std::string> curves{};  ///< files of four boundary curves, or none
+};
+
 /// How a data file is read.
 struct InputOptions {
   std::optional<std::string> format;
   std::optional<std::vector<std::string>> columns;
   std::optional<double> nodata;
+  std::optional<std::vector<int>> classes, returns;  ///< of LAS points, as ReadOptions
 };
 
 /// What STEP and IGES outputs are like.
@@ -102,6 +111,7 @@ struct FitChoices {
   std::optional<bool> fill_holes;  ///< of a raster in .asc outputs, of a mesh before it is mapped
   std::optional<bool> largest_part, orient, drop_degenerate, new_parameters;  ///< of meshes
   std::optional<std::string> corners;                                         ///< text of parse_corners
+  std::optional<std::string> base;                                            ///< text of parse_base
   std::optional<int> correct;   ///< rounds of parameter correction; 0: off, -1: auto
   std::optional<double> omega;  ///< weight of the normals in the map
   std::optional<int> samples;   ///< a span, of .obj, .ply and .vts outputs

@@ -220,6 +220,11 @@ const std::vector<Row>& table() {
           [](const std::vector<std::string>& c) { return fmt::format("--columns {}", fmt::join(c, ",")); }),
       input<double>("nodata", &InputOptions::nodata,
                     [](const double& v) { return fmt::format("--nodata {}", v); }),
+      input<std::vector<int>>(
+          "classes", &InputOptions::classes,
+          [](const std::vector<int>& c) { return fmt::format("--classes {}", fmt::join(c, ",")); }),
+      input<std::vector<int>>("returns", &InputOptions::returns,
+                              [](const std::vector<int>& r) { return "--returns " + returns_text(r); }),
       flag("height_field", &FitChoices::height_field, false, "--height-field"),
       named("spacing", &FitChoices::spacing, kSpacings, RowSpacing::chord, "--spacing"),
       flag("rescale_parameters", &FitChoices::rescale_parameters, false, "--rescale-parameters"),
@@ -241,6 +246,13 @@ const std::vector<Row>& table() {
             return j.get<std::string>();
           },
           [](const std::string& t) { return t == "auto" ? "" : fmt::format("--corners '{}'", t); }),
+      row<std::string>(
+          "base", &FitChoices::base, [](const std::string& t) { return Json(t); },
+          [](const Json& j) {
+            parse_base(j.get<std::string>());
+            return j.get<std::string>();
+          },
+          [](const std::string& t) { return t == "auto" ? "" : fmt::format("--base '{}'", t); }),
       number("omega", &FitChoices::omega, parse_not_negative, -1, "--omega"),
       count<int>("samples", &FitChoices::samples, kSamplesPerSpan, "--samples"),
       named_cad("unit", &CadChoices::unit, kUnits, CadUnit::millimetre, "--unit"),

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "knotfit/errors.h"
+#include "knotfit/io.h"
 namespace knotfit::tool {
 namespace {
 
@@ -195,6 +196,25 @@ CornerChoice parse_corners(std::string_view text) {
   return choice;
 }
 
+BaseChoice parse_base(std::string_view text) {
+  for (const auto& entry : kBases)
+    if (entry.name == text) {
+      if (entry.value == CloudBase::given || entry.value == CloudBase::surface) break;
+      return {.kind = entry.value};
+    }
+  BaseChoice choice{.kind = CloudBase::surface};
+  const auto parts = split(text, ',');
+  if (parts.size() == 1 && text.find('.') != std::string_view::npos) {
+    choice.surface = std::string(text);
+    return choice;
+  }
+  if (parts.size() != 4)
+    refuse(text,
+           "auto, plane, cylinder, graph, the file of a surface, or those of four boundary curves: A,B,C,D");
+  for (const std::string_view part : parts) choice.curves.emplace_back(part);
+  return choice;
+}
+
 std::vector<std::string> parse_columns(std::string_view text) {
   std::vector<std::string> columns;
   for (const std::string_view part : split(text, ',')) {
@@ -206,6 +226,37 @@ std::vector<std::string> parse_columns(std::string_view text) {
     columns.emplace_back(part);
   }
   return columns;
+}
+
+std::vector<int> parse_classes(std::string_view text) {
+  std::vector<int> classes;
+  for (const std::string_view part : split(text, ',')) {
+    const long long n = parse_count(part, 0);
+    if (n > 255) refuse(part, "a class from 0 to 255");
+    classes.push_back(static_cast<int>(n));
+  }
+  return classes;
+}
+
+std::vector<int> parse_returns(std::string_view text) {
+  std::vector<int> returns;
+  for (const std::string_view part : split(text, ',')) {
+    if (part == "first" || part == "last") {
+      returns.push_back(part == "first" ? 1 : kLastReturn);
+      continue;
+    }
+    const long long n = parse_count(part, 1);
+    if (n > 15) refuse(part, "first, last, or the number of a return from 1 to 15");
+    returns.push_back(static_cast<int>(n));
+  }
+  return returns;
+}
+
+std::string returns_text(const std::vector<int>& returns) {
+  std::string text;
+  for (const int n : returns)
+    text += (text.empty() ? "" : ",") + (n == kLastReturn ? "last" : std::to_string(n));
+  return text;
 }
 
 std::string to_text(const ToleranceValue& tolerance) {

@@ -30,6 +30,9 @@ inline constexpr Named<DuplicateRule> kDuplicateRules[] = {{DuplicateRule::fail,
                                                            {DuplicateRule::highest, "highest"}};
 inline constexpr Named<CornerRule> kCornerRules[] = {
     {CornerRule::automatic, "auto"}, {CornerRule::sharpest, "sharpest"}, {CornerRule::search, "search"}};
+inline constexpr Named<CloudBase> kBases[] = {{CloudBase::automatic, "auto"},    {CloudBase::plane, "plane"},
+                                              {CloudBase::cylinder, "cylinder"}, {CloudBase::graph, "graph"},
+                                              {CloudBase::surface, "surface"},   {CloudBase::given, "given"}};
 inline constexpr Named<CadUnit> kUnits[] = {
     {CadUnit::millimetre, "mm"}, {CadUnit::metre, "m"}, {CadUnit::inch, "inch"}};
 inline constexpr Named<CadFormat> kSchemas[] = {{CadFormat::step_ap214, "ap214"},
@@ -68,7 +71,16 @@ std::vector<double> parse_knots(std::string_view text);
 /// "auto", "sharpest", "search"; "i,j,k,l"; "x,y,z;x,y,z;x,y,z;x,y,z".
 CornerChoice parse_corners(std::string_view text);
 /// "x,y,z,-,u,v".
+/// The words of kBases, a surface's file, or those of four curves.
+BaseChoice parse_base(std::string_view text);
+
 std::vector<std::string> parse_columns(std::string_view text);
+
+/// Numbers of classes, 0 to 255.
+std::vector<int> parse_classes(std::string_view text);
+/// Numbers of returns, 1 to 15; first is 1, last is kLastReturn.
+std::vector<int> parse_returns(std::string_view text);
+std::string returns_text(const std::vector<int>& returns);
 
 template <class E, std::size_t N>
 std::string one_of(const Named<E> (&table)[N], std::string_view separator = "|") {

@@ -21,12 +21,14 @@ _knotfit() {
     --correct) COMPREPLY=($(compgen -W "auto off" -- "$current")); return ;;
     --corners) COMPREPLY=($(compgen -W "auto sharpest search" -- "$current")); return ;;
     --duplicates) COMPREPLY=($(compgen -W "fail mean lowest highest" -- "$current")); return ;;
+    --returns) COMPREPLY=($(compgen -W "first last" -- "$current")); return ;;
+    --base) COMPREPLY=($(compgen -W "auto plane cylinder graph" -- "$current") $(compgen -f -- "$current")); return ;;
     --unit) COMPREPLY=($(compgen -W "mm m inch" -- "$current")); return ;;
     --step-schema) COMPREPLY=($(compgen -W "ap214 ap242" -- "$current")); return ;;
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --points | --options | --knots-from | --feature-file | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
     --tol | --sizes | --tolerances | --evaluations | --knots-t | --within | --control-points | --degree | --shear | --max-control-points | --max-fits | --time-limit | \
-      --knots-u | --knots-v | --smoothing | --columns | --nodata | --cell | --threads | --at | --grid | \
+      --knots-u | --knots-v | --smoothing | --columns | --nodata | --classes | --cell | --threads | --at | --grid | \
       --derivatives | --derivative | --omega | --samples | --lines | --name | --cad-tol | --face) return ;;
   esac
 
@@ -34,7 +36,7 @@ _knotfit() {
     COMPREPLY=($(compgen -W "fit compare fit-curve parameterize eval distance info convert methods formats --help --version" -- "$current"))
     return
   fi
-  local input="--input-format --columns --nodata" output="-o --output --force"
+  local input="--input-format --columns --nodata --classes --returns" output="-o --output --force"
   local mesh="--largest-part --orient --drop-degenerate --corners --omega --fill-holes"
   local surface="--unit --face" cad="--name --step-schema --cad-safe --cad-tol"
   case $command in
@@ -42,12 +44,12 @@ _knotfit() {
       options="--tol --within --rms --control-points --degree --shear --max-control-points --max-fits --time-limit
         --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --feature-file --evaluations --smoothing
         $input --height-field
-        --spacing --rescale-parameters --duplicates $mesh --new-parameters --correct $output --samples --unit $cad --cell --json --between
+        --spacing --rescale-parameters --duplicates --base $mesh --new-parameters --correct $output --samples --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
         --no-orient --no-drop-degenerate --no-new-parameters --no-cad-safe" ;;
     compare)
       options="--sizes --tolerances --methods --within --rms --degree --evaluations --max-control-points --max-fits
-        --feature --feature-file --smoothing $input --height-field --spacing --rescale-parameters --duplicates
+        --feature --feature-file --smoothing $input --height-field --spacing --rescale-parameters --duplicates --base
         $mesh $output --json --between --threads --quiet" ;;
     fit-curve)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --knots --knots-t

@@ -1,0 +1,73 @@
+// A cloud of points over the unit square, as a mesh: its points as vertices, with triangles between them that a
+// correction of the parameters holds the surface by.
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "knotfit/control.h"
+#include "knotfit/mesh.h"
+#include "knotfit/parameterize_mesh.h"
+namespace knotfit {
+
+/// What the points are projected to.
+enum class CloudBase {
+  /// The plane where the cloud does not fold over it, else the graph. Where the places on the plane leave much of
+  /// the square without data, the outline is laid along its sides (map_outline).
+  automatic,
+  plane,     ///< by principal axes, turned to the smallest rectangle around the points
+  cylinder,  ///< fitted to the points, unrolled, cut where there are the fewest
+  graph,     ///< no base: nearest neighbours joined to a mesh, mapped like one
+  surface,   ///< a given one: base_surface.h
+  given      ///< parameters that came with the points
+};
+
+struct CloudOptions {
+  CloudBase base = CloudBase::automatic;
+  int neighbours = 16;          ///< of a point, for normals and for the graph; 6 to 64
+  MeshMapOptions map = {};      ///< of the graph's mesh
+  double most_folded = 0.01;    ///< share of the points, above which `automatic` leaves the plane
+  double least_covered = 0.97;  ///< share of the square, below which it maps the outline
+};
+
+struct CloudMap {
+  CloudBase base = CloudBase::given;
+  /// Its vertices are points in their order; vertex_line is the number of each, from 1. Triangles over gaps in
+  /// the data are virtual.
+  Mesh mesh;
+  MeshMap map;           ///< uv of every vertex; corners are those nearest to the square's
+  Index points = 0;      ///< of the cloud
+  Index coincident = 0;  ///< points left out: another has the same parameters
+  Index lone = 0;        ///< points left out: no triangle of the data has them (outliers, scraps)
+  /// Of `plane` and `automatic`: share of the points whose neighbourhood turns away from the plane.
+  double folded = 0;
+  double covered = 0;   ///< share of the square under the triangles: elsewhere the surface is free
+  bool mapped = false;  ///< the outline was laid along the square by map_outline()
+  std::array<double, 3> centre{}, axis{};  ///< of the plane (its normal) or the cylinder
+  double radius = 0;                       ///< of the cylinder
+  double scatter = 0;                      ///< RMS distance of the points from the plane or cylinder
+};
+
+/// \param points  n x 3, row-major
+/// \throws InvalidInput  fewer than 4 points, one not finite, all on one line; a cloud that the base cannot carry:
+///   the message says why and what to do
+CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& options = {},
+                            const Control& control = {});
+
+/// Points whose parameters are known, joined by the Delaunay triangulation of the parameters, lengths as in space.
+/// Parameters move by less than 2^-29.
+/// \param uv  n x 2 in [0,1]
+/// \throws InvalidInput  lengths that do not fit, parameters outside [0,1], all on one line
+CloudMap triangulate_parameters(std::span<const double> points, std::span<const double> uv);
+
+/// Keeps the largest part of the triangles, closes its holes by virtual ones, and maps it by parameterize_mesh(): the
+/// outline comes to lie along the sides of the square, and no part of it is without data.
+/// \throws InvalidInput  the triangles are no disk: why
+void map_outline(CloudMap& cloud, const MeshMapOptions& options = {}, const Control& control = {});
+
+/// What a report says: the base, and the points that were left out.
+std::string describe(const CloudMap& cloud);
+
+}  // namespace knotfit

@@ -1,0 +1,189 @@
+#include "parameterize/cloud_graph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/parallel.h"
+#include "knotfit/errors.h"
+#include "parameterize/delaunay.h"
+namespace knotfit::cloud {
+namespace {
+
+using Corners = std::array<std::int32_t, 3>;
+
+constexpr double kLeastShare = 0.9;  // of the points, in one piece
+
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Pairs of neighbours of point k between which its own triangulation has a triangle with k, counter-clockwise.
+std::vector<std::array<std::int32_t, 2>> star(std::span<const double> points, Index k,
+                                              const NeighbourLists& near,
+                                              const std::vector<Vector>& normals) {
+  const Vector& n = normals[k];
+  // Two directions that make a right-handed frame with the normal.
+  const Vector towards = std::abs(n[0]) < 0.9 ? Vector{1, 0, 0} : Vector{0, 1, 0};
+  Vector a{};
+  for (int c = 0; c < 3; ++c) a[c] = towards[c] - dot(towards, n) * n[c];
+  const double length = std::sqrt(dot(a, a));
+  for (double& x : a) x /= length;
+  const Vector b{n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]};
+  std::vector<std::int32_t> number{static_cast<std::int32_t>(k)};
+  std::vector<double> flat{0, 0};
+  double reach = 0;
+  for (int i = 0; i < near.count; ++i) {
+    const std::uint32_t j = near.of(k)[i];
+    if (!(dot(n, normals[j]) > 0)) continue;
+    const Vector d{points[3 * j] - points[3 * k], points[3 * j + 1] - points[3 * k + 1],
+                   points[3 * j + 2] - points[3 * k + 2]};
+    number.push_back(static_cast<std::int32_t>(j));
+    flat.push_back(dot(d, a)), flat.push_back(dot(d, b));
+    reach = std::max({reach, std::abs(flat[flat.size() - 2]), std::abs(flat.back())});
+  }
+  std::vector<std::array<std::int32_t, 2>> pairs;
+  if (!(reach > 0)) return pairs;
+  std::vector<Place> places;
+  const double scale = std::ldexp(1, kGridBits - 1) / reach;
+  for (std::size_t i = 0; i < number.size(); ++i)
+    places.push_back(
+        {std::llround((flat[2 * i] + reach) * scale), std::llround((flat[2 * i + 1] + reach) * scale)});
+  for (const Corners& t : delaunay(places).triangle)
+    for (int c = 0; c < 3; ++c)
+      if (t[c] == 0) pairs.push_back({number[t[(c + 1) % 3]], number[t[(c + 2) % 3]]});
+  return pairs;
+}
+
+struct Candidate {
+  Corners corners;  ///< the least first
+  int votes = 0;
+  double longest = 0;  ///< squared
+};
+
+std::vector<Candidate> candidates(std::span<const double> points, const NeighbourLists& near,
+                                  const std::vector<Vector>& normals) {
+  const auto n = static_cast<Index>(normals.size());
+  std::vector<std::vector<std::array<std::int32_t, 2>>> stars(static_cast<std::size_t>(n));
+  parallel_for(n, [&](Index k) { stars[k] = star(points, k, near, normals); });
+  std::vector<Corners> all;
+  for (Index k = 0; k < n; ++k)
+    for (const auto& [i, j] : stars[k]) {
+      Corners t{static_cast<std::int32_t>(k), i, j};
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      all.push_back(t);
+    }
+  std::sort(all.begin(), all.end());
+  std::vector<Candidate> result;
+  for (std::size_t k = 0; k < all.size();) {
+    std::size_t end = k + 1;
+    while (end < all.size() && all[end] == all[k]) ++end;
+    if (end - k >= 2) {
+      Candidate c{all[k], static_cast<int>(end - k), 0};
+      for (int side = 0; side < 3; ++side) {
+        double d = 0;
+        for (int x = 0; x < 3; ++x)
+          d += std::pow(points[3 * c.corners[side] + x] - points[3 * c.corners[(side + 1) % 3] + x], 2);
+        c.longest = std::max(c.longest, d);
+      }
+      result.push_back(c);
+    }
+    k = end;
+  }
+  std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
+    if (a.votes != b.votes) return a.votes > b.votes;
+    return a.longest != b.longest ? a.longest < b.longest : a.corners < b.corners;
+  });
+  return result;
+}
+
+/// Triangles around every vertex as fans that share edges: all but the largest fan of each go.
+bool keep_one_fan(std::vector<Corners>& faces, Index vertices) {
+  std::vector<std::vector<std::int32_t>> around(static_cast<std::size_t>(vertices));
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (const std::int32_t k : faces[f]) around[k].push_back(static_cast<std::int32_t>(f));
+  std::vector<char> gone(faces.size(), 0);
+  for (Index k = 0; k < vertices; ++k) {
+    const std::vector<std::int32_t>& mine = around[k];
+    if (mine.size() < 2) continue;
+    std::vector<int> fan(mine.size());
+    for (std::size_t i = 0; i < mine.size(); ++i) fan[i] = static_cast<int>(i);
+    const auto others = [&](std::int32_t f) {
+      const Corners& t = faces[f];
+      const int c = t[0] == k ? 0 : t[1] == k ? 1 : 2;
+      return std::array{t[(c + 1) % 3], t[(c + 2) % 3]};
+    };
+    for (std::size_t i = 0; i < mine.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto a = others(mine[i]), b = others(mine[j]);
+        if (fan[i] == fan[j] || (a[0] != b[1] && a[1] != b[0])) continue;
+        const int from = fan[i], to = fan[j];
+        for (int& x : fan)
+          if (x == from) x = to;
+      }
+    std::map<int, int> size;
+    for (const int x : fan) ++size[x];
+    if (size.size() == 1) continue;
+    const int largest = std::max_element(size.begin(), size.end(), [](auto& a, auto& b) {
+                          return a.second < b.second;
+                        })->first;
+    for (std::size_t i = 0; i < mine.size(); ++i)
+      if (fan[i] != largest) gone[mine[i]] = 1;
+  }
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (gone[f] == 0) faces[kept++] = faces[f];
+  const bool changed = kept < faces.size();
+  faces.resize(kept);
+  return changed;
+}
+
+}  // namespace
+
+Mesh join_neighbours(std::span<const double> points, const NeighbourLists& near,
+                     const std::vector<Vector>& normals) {
+  Mesh mesh;
+  mesh.vertices.assign(points.begin(), points.end());
+  // Edges taken, one way each, by their first vertex.
+  std::vector<std::vector<std::int32_t>> taken(normals.size());
+  const auto is_taken = [&](std::int32_t a, std::int32_t b) {
+    return std::find(taken[a].begin(), taken[a].end(), b) != taken[a].end();
+  };
+  for (const Candidate& c : candidates(points, near, normals)) {
+    const auto& [a, b, d] = c.corners;
+    if (is_taken(a, b) || is_taken(b, d) || is_taken(d, a)) continue;
+    taken[a].push_back(b), taken[b].push_back(d), taken[d].push_back(a);
+    mesh.faces.push_back(c.corners);
+  }
+  while (keep_one_fan(mesh.faces, mesh.vertex_count())) {
+  }
+  return mesh;
+}
+
+CloudMap map_graph(std::span<const double> points, const NeighbourLists& near,
+                   const std::vector<Vector>& normals, const MeshMapOptions& options,
+                   const Control& control) {
+  const Mesh joined = join_neighbours(points, near, normals);
+  if (joined.faces.empty()) throw InvalidInput("no triangles of their nearest neighbours agree");
+  CloudMap cloud;
+  cloud.base = CloudBase::graph;
+  cloud.points = static_cast<Index>(normals.size());
+  cloud.mesh = joined;
+  // Counted before the work of a map.
+  const RepairedMesh largest = repair(joined, {.largest_part = true});
+  const double share = static_cast<double>(largest.mesh.vertex_count()) / static_cast<double>(cloud.points);
+  if (share < kLeastShare)
+    throw InvalidInput(
+        fmt::format("their nearest neighbours join only {:.3g} % of them to one sheet", 100 * share));
+  try {
+    map_outline(cloud, options, control);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(
+        fmt::format("the mesh of their nearest neighbours is no sheet with one outline: {}", e.what()));
+  }
+  return cloud;
+}
+
+}  // namespace knotfit::cloud

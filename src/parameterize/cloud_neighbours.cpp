@@ -1,0 +1,135 @@
+#include "parameterize/cloud_neighbours.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <nanoflann.hpp>
+#include <queue>
+
+#include "base/parallel.h"
+namespace knotfit::cloud {
+namespace {
+
+// What nanoflann asks of a data set.
+struct Cloud {
+  const double* x;
+  std::size_t size, dimension;
+  std::size_t kdtree_get_point_count() const { return size; }
+  double kdtree_get_pt(std::size_t k, std::size_t axis) const { return x[k * dimension + axis]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+
+template <int dimension>
+void search(std::span<const double> points, NeighbourLists& lists) {
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
+                                                   dimension, std::uint32_t>;
+  const Cloud cloud{points.data(), points.size() / dimension, dimension};
+  const Tree tree(dimension, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  const auto count = static_cast<std::size_t>(lists.count);
+  parallel_for(static_cast<Index>(cloud.size), [&](Index k) {
+    // One more than asked for: the point itself, or one at the same place, is among them.
+    std::vector<std::uint32_t> index(count + 1);
+    std::vector<double> squared(count + 1);
+    tree.knnSearch(points.data() + k * dimension, count + 1, index.data(), squared.data());
+    std::size_t to = static_cast<std::size_t>(k) * count, taken = 0;
+    for (std::size_t i = 0; i <= count && taken < count; ++i)
+      if (index[i] != static_cast<std::uint32_t>(k))
+        lists.index[to] = index[i], lists.squared[to++] = squared[i], ++taken;
+  });
+}
+
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+}  // namespace
+
+NeighbourLists nearest_neighbours(std::span<const double> points, int dimension, int count) {
+  NeighbourLists lists;
+  lists.count = count;
+  const std::size_t n = points.size() / static_cast<std::size_t>(dimension);
+  lists.index.assign(n * static_cast<std::size_t>(count), 0);
+  lists.squared.assign(n * static_cast<std::size_t>(count), 0);
+  if (dimension == 2)
+    search<2>(points, lists);
+  else
+    search<3>(points, lists);
+  return lists;
+}
+
+Axes principal_axes(std::span<const double> points, std::span<const std::uint32_t> index) {
+  const Index n = index.empty() ? static_cast<Index>(points.size()) / 3 : static_cast<Index>(index.size());
+  const auto at = [&](Index k) {
+    return Eigen::Map<const Eigen::Vector3d>(points.data() + 3 * (index.empty() ? k : Index{index[k]}));
+  };
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (Index k = 0; k < n; ++k) centre += (at(k) - at(0)) / static_cast<double>(n);
+  centre += at(0);
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+  for (Index k = 0; k < n; ++k) m += (at(k) - centre) * (at(k) - centre).transpose() / static_cast<double>(n);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
+  Axes axes;
+  for (int c = 0; c < 3; ++c) {
+    axes.centre[c] = centre[c];
+    axes.variance[c] = solver.eigenvalues()[c];
+    for (int d = 0; d < 3; ++d) axes.axis[c][d] = solver.eigenvectors()(d, c);
+  }
+  return axes;
+}
+
+std::vector<Vector> agreeing_normals(std::span<const double> points, const NeighbourLists& neighbours) {
+  const Index n = static_cast<Index>(points.size()) / 3;
+  std::vector<Vector> normal(static_cast<std::size_t>(n));
+  parallel_for(n, [&](Index k) {
+    std::vector<std::uint32_t> some(neighbours.of(k), neighbours.of(k) + neighbours.count);
+    some.push_back(static_cast<std::uint32_t>(k));
+    normal[k] = principal_axes(points, some).axis[0];
+  });
+  // Cosine of one normal with the other mirrored across the middle of both points: 1 along a circle, and between the
+  // two sides of a thin sheet or of lips that touch [Konig09].
+  const auto agreement = [&](std::size_t a, std::size_t b) {
+    Vector d{};
+    for (std::size_t c = 0; c < 3; ++c) d[c] = points[3 * b + c] - points[3 * a + c];
+    const double square = dot(d, d), cosine = dot(normal[a], normal[b]);
+    return square > 0 ? cosine - 2 * dot(normal[a], d) * dot(normal[b], d) / square : cosine;
+  };
+  // Prim's algorithm from every point not yet reached; neighbours count both ways.
+  std::vector<std::vector<std::uint32_t>> also(static_cast<std::size_t>(n));
+  for (Index k = 0; k < n; ++k)
+    for (int i = 0; i < neighbours.count; ++i)
+      also[neighbours.of(k)[i]].push_back(static_cast<std::uint32_t>(k));
+  struct Step {
+    double apart;
+    std::uint32_t from, to;
+    bool operator<(const Step& o) const {
+      return apart != o.apart ? apart > o.apart : to != o.to ? to > o.to : from > o.from;
+    }
+  };
+  std::vector<char> done(static_cast<std::size_t>(n), 0);
+  std::priority_queue<Step> queue;
+  const auto reach = [&](std::uint32_t k) {
+    done[k] = 1;
+    const auto push = [&](std::uint32_t to) {
+      if (done[to] == 0) queue.push({1 - std::abs(agreement(k, to)), k, to});
+    };
+    for (int i = 0; i < neighbours.count; ++i) push(neighbours.of(k)[i]);
+    for (const std::uint32_t to : also[k]) push(to);
+  };
+  for (Index first = 0; first < n; ++first) {
+    if (done[first] != 0) continue;
+    reach(static_cast<std::uint32_t>(first));
+    while (!queue.empty()) {
+      const Step step = queue.top();
+      queue.pop();
+      if (done[step.to] != 0) continue;
+      if (agreement(step.from, step.to) < 0)
+        for (double& x : normal[step.to]) x = -x;
+      reach(step.to);
+    }
+  }
+  return normal;
+}
+
+}  // namespace knotfit::cloud

@@ -1,0 +1,35 @@
+// Nearest neighbours in space, and the planes through them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "knotfit/index.h"
+namespace knotfit::cloud {
+
+using Vector = std::array<double, 3>;
+
+/// The nearest others of every point, nearest first: count a point.
+struct NeighbourLists {
+  int count = 0;
+  std::vector<std::uint32_t> index;  ///< n x count
+  std::vector<double> squared;       ///< n x count, squared distances
+  const std::uint32_t* of(Index k) const { return index.data() + k * count; }
+};
+/// \param points  n x dimension, 2 or 3; n > count
+NeighbourLists nearest_neighbours(std::span<const double> points, int dimension, int count);
+
+/// Centre and principal axes: the variances along them, growing.
+struct Axes {
+  Vector centre{}, axis[3];
+  double variance[3] = {0, 0, 0};
+};
+/// \param points  n x 3   \param index  those that count, or empty: all
+Axes principal_axes(std::span<const double> points, std::span<const std::uint32_t> index = {});
+
+/// Unit normals by the plane through each point's neighbours, turned to agree along a spanning tree of the
+/// neighbours whose normals agree most [Hoppe92, Konig09].
+std::vector<Vector> agreeing_normals(std::span<const double> points, const NeighbourLists& neighbours);
+
+}  // namespace knotfit::cloud

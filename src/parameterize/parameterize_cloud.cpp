@@ -1,0 +1,170 @@
+#include "knotfit/parameterize_cloud.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "knotfit/errors.h"
+#include "parameterize/cloud_base.h"
+#include "parameterize/cloud_graph.h"
+#include "parameterize/cloud_neighbours.h"
+#include "parameterize/cloud_triangulation.h"
+namespace knotfit {
+namespace {
+
+using cloud::BasePlaces;
+using cloud::NeighbourLists;
+using cloud::Vector;
+
+constexpr Index kMostMapped = 100000;  // points whose outline is mapped unasked: a minute of work
+
+Index count_of(std::span<const double> points) {
+  if (points.size() % 3 != 0)
+    throw InvalidInput(fmt::format("{} coordinates are no points in space", points.size()));
+  const auto n = static_cast<Index>(points.size()) / 3;
+  if (n < 4) throw InvalidInput(fmt::format("{} points: a surface needs at least 4", n));
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (!(std::abs(points[k]) < 1e150))
+      throw InvalidInput(
+          fmt::format("point {} (from 1): coordinate {} is not finite or beyond what distances can hold",
+                      k / 3 + 1, points[k]));
+  return n;
+}
+
+CloudMap over(CloudBase base, const BasePlaces& places, std::span<const double> points) {
+  CloudMap map = cloud::triangulate(points, places.at);
+  map.base = base;
+  map.centre = places.centre;
+  map.axis = places.axis;
+  map.radius = places.radius;
+  map.scatter = places.scatter;
+  return map;
+}
+
+/// Share of the normals that point away from the side most of them point to, within 3 degrees of the plane too.
+double folded_share(const std::vector<Vector>& normals, const Vector& axis) {
+  constexpr double grazing = 0.05;
+  Index up = 0, down = 0;
+  for (const Vector& n : normals) {
+    const double cosine = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2];
+    up += cosine > grazing, down += cosine < -grazing;
+  }
+  return 1 - static_cast<double>(std::max(up, down)) / static_cast<double>(normals.size());
+}
+
+}  // namespace
+
+CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& options,
+                            const Control& control) {
+  const Index n = count_of(points);
+  if (options.neighbours < 6 || options.neighbours > 64)
+    throw InvalidInput(fmt::format("{} neighbours of a point; there are 6 to 64", options.neighbours));
+  const CloudBase base = options.base;
+  if (base == CloudBase::given || base == CloudBase::surface)
+    throw InvalidInput("a base surface is given to another function, and so are parameters");
+  BasePlaces plane;
+  if (base == CloudBase::plane || base == CloudBase::automatic) plane = cloud::project_to_plane(points);
+  const int count = static_cast<int>(std::min<Index>(options.neighbours, n - 1));
+  const NeighbourLists near = cloud::nearest_neighbours(points, 3, count);
+  const std::vector<Vector> normals = cloud::agreeing_normals(points, near);
+  if (base == CloudBase::cylinder)
+    return over(CloudBase::cylinder, cloud::project_to_cylinder(points, normals), points);
+  const double folded = base == CloudBase::graph ? 0 : folded_share(normals, plane.axis);
+  if (base == CloudBase::plane || (base == CloudBase::automatic && folded <= options.most_folded)) {
+    CloudMap map = over(CloudBase::plane, plane, points);
+    map.folded = folded;
+    if (base == CloudBase::automatic && map.covered < options.least_covered && n <= kMostMapped) {
+      CloudMap outlined = map;
+      try {
+        map_outline(outlined, options.map, control);
+        return outlined;
+      } catch (const InvalidInput&) {  // several pieces or none that is a disk: the plane will do
+      }
+    }
+    return map;
+  }
+  try {
+    CloudMap map = cloud::map_graph(points, near, normals, options.map, control);
+    map.folded = folded;
+    return map;
+  } catch (const InvalidInput& e) {
+    if (base == CloudBase::graph) throw;
+    throw InvalidInput(
+        fmt::format("the points fold over their plane ({:.3g} % of them stand upright or turn back), and {}; "
+                    "--height-field fits z over x, y, --base plane fits them over their plane all the same, "
+                    "--base cylinder around an axis",
+                    100 * folded, e.what()));
+  }
+}
+
+void map_outline(CloudMap& cloud, const MeshMapOptions& options, const Control& control) {
+  RepairedMesh repaired = repair(cloud.mesh, {.largest_part = true, .fill_holes = true});
+  std::vector<Index> line;
+  Index points = 0;
+  for (const Index from : repaired.kept) {
+    line.push_back(from < 0 ? 0 : cloud.mesh.vertex_line.empty() ? from + 1 : cloud.mesh.vertex_line[from]);
+    points += from >= 0;
+  }
+  require_disk(repaired.mesh);
+  repaired.mesh.vertex_line = std::move(line);
+  MeshMap map = parameterize_mesh(repaired.mesh, options, control);
+  cloud.mesh = std::move(repaired.mesh);
+  cloud.map = std::move(map);
+  cloud.lone = cloud.points - cloud.coincident - points;
+  cloud.covered = 1;
+  cloud.mapped = true;
+}
+
+CloudMap triangulate_parameters(std::span<const double> points, std::span<const double> uv) {
+  const Index n = count_of(points);
+  if (static_cast<Index>(uv.size()) != 2 * n)
+    throw InvalidInput(
+        fmt::format("{} points need {} parameters, u and v each; there are {}", n, 2 * n, uv.size()));
+  for (std::size_t k = 0; k < uv.size(); ++k)
+    if (!(uv[k] >= 0 && uv[k] <= 1))
+      throw InvalidInput(fmt::format("{} of point {} (from 1) is {}: parameters lie in [0,1]",
+                                     k % 2 == 0 ? "u" : "v", k / 2 + 1, uv[k]));
+  const std::array<double, 2> sides = cloud::lengths_of(points, uv);
+  std::vector<double> places(uv.begin(), uv.end());
+  for (std::size_t k = 0; k < places.size(); ++k) places[k] *= sides[k % 2];
+  return cloud::triangulate(points, places, sides);
+}
+
+std::string describe(const CloudMap& c) {
+  std::string text;
+  switch (c.base) {
+    case CloudBase::plane:
+      text = fmt::format("plane with the normal ({:.4g}, {:.4g}, {:.4g}), points {:.4g} RMS off it",
+                         c.axis[0], c.axis[1], c.axis[2], c.scatter);
+      break;
+    case CloudBase::cylinder:
+      text = fmt::format(
+          "cylinder of radius {:.6g} around ({:.4g}, {:.4g}, {:.4g}) through ({:.6g}, {:.6g}, {:.6g}), "
+          "points {:.4g} "
+          "RMS off it",
+          c.radius, c.axis[0], c.axis[1], c.axis[2], c.centre[0], c.centre[1], c.centre[2], c.scatter);
+      break;
+    case CloudBase::surface:
+      text = fmt::format("surface given, points {:.4g} RMS off it", c.scatter);
+      break;
+    case CloudBase::graph:
+      text = "mesh of nearest neighbours";
+      break;
+    default:
+      text = "parameters as given";
+  }
+  if (c.folded > 0)
+    text += fmt::format("; {:.2g} % of the points stand upright on the plane or turn back over it",
+                        100 * c.folded);
+  if (c.mapped && c.base != CloudBase::graph) text += "; the outline laid along the square";
+  if (c.covered < 0.99)
+    text += fmt::format("; {:.2g} % of the square holds no data, and the surface is free there",
+                        100 * (1 - c.covered));
+  if (c.coincident > 0)
+    text += fmt::format("; {} points left out, at the parameters of others", c.coincident);
+  if (c.lone > 0) text += fmt::format("; {} points left out, apart from the others", c.lone);
+  return text;
+}
+
+}  // namespace knotfit

@@ -1,0 +1,220 @@
+#include "knotfit/parameterize_cloud.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "knotfit/errors.h"
+#include "support/expect_throw.h"
+#include "support/random_splines.h"
+namespace knotfit::test {
+namespace {
+
+using Points = std::vector<double>;
+
+/// A wave over [0, width] x [0, 1], at random places, somewhere far away and turned.
+Points wave(Random& random, int count, double width = 2, double far = 4.6e6) {
+  Points p;
+  for (int k = 0; k < count; ++k) {
+    const double x = width * random.unit(), y = random.unit(), z = 0.1 * std::sin(3 * x) * std::cos(4 * y);
+    p.insert(p.end(), {far + 0.6 * x - 0.8 * y, far + 0.8 * x + 0.6 * y, z});
+  }
+  return p;
+}
+
+void expect_sound(const CloudMap& c) {
+  ASSERT_EQ(static_cast<Index>(c.map.uv.size()), 2 * c.mesh.vertex_count());
+  EXPECT_EQ(c.mesh.virtual_face.size(), c.mesh.faces.size());
+  for (const double x : c.map.uv) EXPECT_TRUE(x >= 0 && x <= 1);
+  EXPECT_EQ(c.map.quality.flipped, 0);
+  EXPECT_EQ(measure_map(c.mesh, c.map.uv).flipped, 0);
+}
+
+Index count_virtual(const CloudMap& c) {
+  return std::count(c.mesh.virtual_face.begin(), c.mesh.virtual_face.end(), 1);
+}
+
+TEST(CloudOverAPlane, FillsTheSquareAlongItsOwnSides) {
+  Random random;
+  const Points p = wave(random, 2000);
+  const CloudMap c = parameterize_cloud(p, {.base = CloudBase::plane});
+  expect_sound(c);
+  EXPECT_EQ(c.base, CloudBase::plane);
+  EXPECT_FALSE(c.mapped);
+  EXPECT_GT(c.covered, 0.9);
+  EXPECT_EQ(c.coincident + c.lone, 0);
+  EXPECT_EQ(c.mesh.vertices, p);
+  EXPECT_GT(std::abs(c.axis[2]), 0.99);
+  // The first parameter runs along the longer side: within the plane's tilt the places are those of the wave.
+  double worst = 0;
+  for (Index k = 0; k < 2000; ++k) {
+    const double x = (0.6 * (p[3 * k] - 4.6e6) + 0.8 * (p[3 * k + 1] - 4.6e6)) / 2;
+    const double u = c.map.uv[2 * k];
+    worst = std::max(worst, std::min(std::abs(u - x), std::abs(1 - u - x)));
+  }
+  EXPECT_LT(worst, 0.05);
+  EXPECT_NEAR(c.map.quality.aspect, 2, 0.2);
+}
+
+TEST(CloudOverAPlane, TheSameBitsEveryTime) {
+  Random random;
+  const Points p = wave(random, 500);
+  const CloudMap a = parameterize_cloud(p), b = parameterize_cloud(p);
+  EXPECT_EQ(a.map.uv, b.map.uv);
+  EXPECT_EQ(a.mesh.faces, b.mesh.faces);
+}
+
+TEST(CloudOverAPlane, GapsAreNoDataAndScrapsAreLeftOut) {
+  Points p;
+  for (int i = 0; i <= 60; ++i)
+    for (int j = 0; j <= 60; ++j)
+      if (std::hypot(i - 30, j - 30) > 12) p.insert(p.end(), {i * 1.0, j * 1.0, 0.1 * std::sin(0.2 * i)});
+  const auto sheet = static_cast<Index>(p.size()) / 3;
+  const CloudMap whole = parameterize_cloud(p);
+  expect_sound(whole);
+  EXPECT_GT(count_virtual(whole), 0);
+  EXPECT_EQ(whole.lone, 0);
+  p.insert(p.end(), {200, 30, 0});
+  const CloudMap with = parameterize_cloud(p);
+  expect_sound(with);
+  EXPECT_EQ(with.lone, 1);
+  EXPECT_EQ(mesh_points(with.mesh, with.map.uv).size(), sheet);
+  EXPECT_NE(describe(with).find("1 points left out, apart from the others"), std::string::npos);
+}
+
+TEST(CloudOverAPlane, ARoundOutlineIsLaidAlongTheSquare) {
+  Random random;
+  Points p;
+  while (p.size() < 3 * 1500) {
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+    if (std::hypot(x, y) < 1) p.insert(p.end(), {x, y, 0.2 * x * x});
+  }
+  const CloudMap plane = parameterize_cloud(p, {.base = CloudBase::plane}), own = parameterize_cloud(p);
+  EXPECT_NEAR(plane.covered, std::numbers::pi / 4, 0.03);
+  EXPECT_NE(describe(plane).find("of the square holds no data"), std::string::npos);
+  expect_sound(own);
+  EXPECT_TRUE(own.mapped);
+  EXPECT_EQ(own.covered, 1);
+  EXPECT_EQ(own.base, CloudBase::plane);
+  EXPECT_NE(describe(own).find("the outline laid along the square"), std::string::npos);
+}
+
+TEST(CloudOverAPlane, EqualPointsCountOnce) {
+  Random random;
+  Points p = wave(random, 300, 2, 0);
+  const Points some(p.begin(), p.begin() + 30);
+  p.insert(p.end(), some.begin(), some.end());
+  const CloudMap c = parameterize_cloud(p, {.base = CloudBase::plane});
+  EXPECT_EQ(c.coincident, 10);
+  EXPECT_EQ(mesh_points(c.mesh, c.map.uv).size(), 300);
+}
+
+/// Part of a tube of this radius: angle from 0 to `turn`, height 0 to 3.
+Points tube(Random& random, int count, double radius, double turn) {
+  Points p;
+  for (int k = 0; k < count; ++k) {
+    const double a = turn * random.unit(), h = 3 * random.unit();
+    // Around the axis (0.6, 0, 0.8).
+    const double x = radius * std::cos(a), y = radius * std::sin(a);
+    p.insert(p.end(), {100 + 0.8 * x + 0.6 * h, -50 + y, -0.6 * x + 0.8 * h});
+  }
+  return p;
+}
+
+TEST(CloudOverACylinder, IsUnrolled) {
+  Random random;
+  for (const double turn : {2.0, 4.5, 2 * std::numbers::pi}) {
+    const CloudMap c = parameterize_cloud(tube(random, 3000, 1.25, turn), {.base = CloudBase::cylinder});
+    expect_sound(c);
+    EXPECT_NEAR(c.radius, 1.25, 1e-9);
+    EXPECT_NEAR(c.scatter, 0, 1e-9);
+    EXPECT_NEAR(std::abs(c.axis[0]), 0.6, 1e-9);
+    EXPECT_NEAR(std::abs(c.axis[2]), 0.8, 1e-9);
+    // Unrolled it is flat: nothing is stretched.
+    EXPECT_NEAR(c.map.quality.aspect_free_stretch, 1, 1e-2);
+    EXPECT_NEAR(c.map.quality.aspect, 1.25 * turn / 3, 0.05 * turn);
+  }
+}
+
+TEST(CloudOverACylinder, AFlatCloudIsNone) {
+  Points p;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j) p.insert(p.end(), {i * 1.0, j * 1.0, 0.0});
+  expect_throw<InvalidInput>([&] { parameterize_cloud(p, {.base = CloudBase::cylinder}); }, "--base plane");
+}
+
+TEST(CloudGraph, FollowsACloudThatFolds) {
+  Random random;
+  const Points p = tube(random, 4000, 1, 4.5);
+  const CloudMap c = parameterize_cloud(p);
+  expect_sound(c);
+  EXPECT_EQ(c.base, CloudBase::graph);
+  EXPECT_GT(c.folded, 0.1);
+  EXPECT_LT(c.lone, 40);
+  // Vertices know which point they are.
+  for (Index k = 0; k < c.mesh.vertex_count(); ++k) {
+    const Index from = c.mesh.vertex_line[k] - 1;
+    if (from < 0) continue;
+    for (int d = 0; d < 3; ++d) EXPECT_EQ(c.mesh.vertex(k)[d], p[3 * from + d]);
+  }
+  EXPECT_LT(c.map.quality.aspect_free_stretch, 1.1);
+}
+
+TEST(CloudGraph, SaysWhyThereIsNoSheet) {
+  Random random;
+  Points fog;
+  for (int k = 0; k < 3000; ++k) fog.push_back(random.unit());
+  expect_throw<InvalidInput>([&] { parameterize_cloud(fog); }, "fold over their plane");
+  expect_throw<InvalidInput>([&] { parameterize_cloud(fog); }, "--height-field");
+  EXPECT_EQ(parameterize_cloud(fog, {.base = CloudBase::plane}).base, CloudBase::plane);
+}
+
+TEST(TriangulatedParameters, StayWhereTheyAre) {
+  Random random;
+  Points p, uv;
+  for (int k = 0; k < 400; ++k) {
+    // A strip 50 times as long as wide, in the middle of the square.
+    uv.push_back(0.2 + 0.5 * random.unit()), uv.push_back(0.3 + 0.6 * random.unit());
+    p.insert(p.end(), {50 * uv[2 * k], uv[2 * k + 1], 0.0});
+  }
+  const CloudMap c = triangulate_parameters(p, uv);
+  expect_sound(c);
+  EXPECT_EQ(c.base, CloudBase::given);
+  for (std::size_t k = 0; k < uv.size(); ++k) EXPECT_NEAR(c.map.uv[k], uv[k], 1e-7);
+  EXPECT_NEAR(c.map.quality.aspect_free_stretch, 1, 1e-3);
+}
+
+TEST(Clouds, RefuseWhatIsNone) {
+  const auto bad = [](const Points& p, const std::string& words, CloudOptions options = {}) {
+    expect_throw<InvalidInput>([&] { parameterize_cloud(p, options); }, words);
+  };
+  bad({0, 0, 0, 1, 0, 0, 0, 1, 0}, "3 points: a surface needs at least 4");
+  bad({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1}, "no points in space");
+  bad({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, NAN, 1}, "point 4 (from 1)");
+  bad({1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3}, "at one place");
+  bad({0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}, "one straight line");
+  bad({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, "neighbours", {.neighbours = 2});
+  const Points square = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+  EXPECT_EQ(parameterize_cloud(square).mesh.face_count(), 2);
+  expect_throw<InvalidInput>(
+      [&] {
+        triangulate_parameters(square, Points{0, 0, 1, 0});
+      },
+      "4 points need 8 parameters");
+  expect_throw<InvalidInput>(
+      [&] {
+        triangulate_parameters(square, Points{0, 0, 1, 0, 0, 1, 1, 1.5});
+      },
+      "v of point 4 (from 1) is 1.5");
+  expect_throw<InvalidInput>(
+      [&] {
+        triangulate_parameters(square, Points{0, 0, 1, 1, 0.5, 0.5, 0.2, 0.2});
+      },
+      "straight line");
+}
+
+}  // namespace
+}  // namespace knotfit::test

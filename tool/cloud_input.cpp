@@ -1,0 +1,80 @@
+#include "cloud_input.h"
+
+#include <fmt/format.h>
+
+#include "input.h"
+#include "knotfit/base_surface.h"
+#include "knotfit/errors.h"
+#include "surface_file.h"
+#include "text_values.h"
+namespace knotfit::tool {
+namespace {
+
+MappedMesh mapped(CloudMap cloud, const std::vector<Index>& line) {
+  MappedMesh result;
+  result.mesh = std::move(cloud.mesh);
+  result.map = std::move(cloud.map);
+  for (Index& k : result.mesh.vertex_line)
+    if (k > 0 && !line.empty()) k = line[k - 1];
+  cloud.mesh = {};
+  cloud.map = {};
+  result.cloud = std::move(cloud);
+  return result;
+}
+
+MeshMapOptions map_options(const FitChoices& choices) {
+  MeshMapOptions options;
+  options.omega = choices.omega.value_or(-1);
+  options.corners = parse_corners(choices.corners.value_or("auto")).rule;
+  return options;
+}
+
+/// The points of a file with a boundary curve.
+std::vector<double> curve_points(const std::string& path) {
+  const SourceData data = read_input(path, {});
+  PointTable table;
+  if (const PointTable* t = std::get_if<PointTable>(&data.content)) table = *t;
+  if (const PointRows* rows = std::get_if<PointRows>(&data.content)) table = table_of(*rows);
+  if (table.x.empty()) throw InvalidInput(path + ": holds no points x, y, z of a boundary curve");
+  std::vector<double> xyz;
+  for (Index k = 0; k < table.size(); ++k) xyz.insert(xyz.end(), {table.x[k], table.y[k], table.z[k]});
+  return xyz;
+}
+
+Surface base_surface(const BaseChoice& base) {
+  if (base.curves.empty()) {
+    const SurfaceDocument document = read_one_surface(base.surface, {});
+    if (document.height_field)
+      return height_field_in_space(document.surface, document.map.u0, document.map.u1, document.map.v0,
+                                   document.map.v1);
+    if (document.surface.dimension() != 3) throw InvalidInput(base.surface + ": is no surface in space");
+    return document.surface;
+  }
+  std::array<std::vector<double>, 4> curves;
+  for (std::size_t k = 0; k < 4; ++k) curves[k] = curve_points(base.curves[k]);
+  return coons_surface(curves);
+}
+
+}  // namespace
+
+MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const Control& control) {
+  if (table.x.empty()) throw InvalidInput("z without x, y and u, v columns: there is nothing to fit it over");
+  std::vector<double> xyz;
+  xyz.reserve(static_cast<std::size_t>(3 * table.size()));
+  for (Index k = 0; k < table.size(); ++k) xyz.insert(xyz.end(), {table.x[k], table.y[k], table.z[k]});
+  const BaseChoice base = parse_base(choices.base.value_or("auto"));
+  if (base.kind == CloudBase::surface)
+    return mapped(parameterize_cloud(xyz, base_surface(base), control), table.line);
+  CloudOptions options;
+  options.base = base.kind;
+  options.map = map_options(choices);
+  return mapped(parameterize_cloud(xyz, options, control), table.line);
+}
+
+MappedMesh map_points(const ParameterizedPoints& points, const FitChoices& choices, const Control& control) {
+  CloudMap cloud = triangulate_parameters(points.values, points.uv);
+  if (choices.new_parameters.value_or(false)) map_outline(cloud, map_options(choices), control);
+  return mapped(std::move(cloud), points.source);
+}
+
+}  // namespace knotfit::tool
