@@ -214,8 +214,9 @@ class Fit(MeshTest):
         self.write_sheet()
         self.refused("fit", "sheet.obj", "--correct", "5", "--tol", "1%", words=["--correct needs --control-points"])
         self.refused("fit", "sheet.obj", "--correct", "many", "--control-points", "6", words=["--correct", "whole number"])
-        self.write_points()
-        self.refused("fit", "points.csv", "--correct", "5", "--control-points", "6", words=["needs a mesh"])
+        self.write_heights()
+        self.refused("fit", "heights.csv", "--height-field", "--correct", "5", "--control-points", "6",
+                     words=["height fields keep their parameters"])
 
     def test_holes_are_filled_and_are_no_data(self):
         self.write_sheet(hole=True)
