@@ -109,16 +109,17 @@ FitOptions fit_options(const FitChoices& c, const FitInput& input) {
 
 // Rounds of parameter correction; 0: none.
 int correction_rounds(const FitChoices& c, const FitInput& input) {
-  const bool mapped = input.mesh && input.mesh->map && (*c.correct > 0 || input.points.weights.empty()),
-             fixed = c.control_points || c.knots->given;
-  if (*c.correct <= 0) return *c.correct < 0 && mapped && fixed ? CorrectionOptions{}.rounds : 0;
+  const bool mapped = input.mesh && input.mesh->map && (*c.correct > 0 || input.points.weights.empty());
+  const bool plain =
+      *c.refine == RefineRoute::insert || c.degree->first == 0;  // made for errors at the parameters
+  if (*c.correct <= 0) return *c.correct < 0 && mapped && !plain ? CorrectionOptions{}.rounds : 0;
   if (!mapped)
     throw InvalidInput(
         "--correct needs points or a mesh in space that are mapped: height fields keep their parameters "
         "(--new-parameters maps a mesh that has some)");
   if (!input.points.weights.empty())
     throw InvalidInput("--correct knows no weights of the points: leave column w out, with - in --columns");
-  if (!fixed) throw InvalidInput("--correct needs --control-points or knots: sizes are searched without it");
+  if (plain) throw InvalidInput("--correct goes with --refine search and given degrees");
   return *c.correct;
 }
 

@@ -10,6 +10,7 @@
 #include "knotfit/mesh.h"
 #include "knotfit/parameterize_mesh.h"
 #include "knotfit/surface.h"
+#include "knotfit/tolerance.h"
 namespace knotfit {
 
 enum class CorrectionStep {
@@ -32,7 +33,12 @@ struct CorrectionOptions {
   double smoothing = 1e-9;  ///< relative floor, as LeastSquaresOptions
   double aspect = 0;  ///< width over height of the rectangle that suits the map (MapQuality); 0: measured
   std::optional<Surface> start = {};  ///< over the same knots, to begin with; else the plain fit
-  Index data_vertices = -1;           ///< only the first so many are data; -1: all
+  /// The error that the best round is kept by, in the mesh's unit; the rounds end once it is at most the value
+  /// (0: all rounds) and nothing folds.
+  Tolerance keep_by{.value = 0, .measure = ErrorMeasure::rms};
+  /// Rounds after the others that lower the largest distance, or the percentile of keep_by, by L_P weights.
+  int minimax_rounds = 0;
+  Index data_vertices = -1;  ///< only the first so many are data; -1: all
 };
 
 /// What a round left.

@@ -13,10 +13,18 @@ struct MeshFit {
   DistanceSummary to_mesh;  ///< of the surface to the mesh: waves and flaps away from the vertices
 };
 
-/// Places knots at a fixed size by fit_surface(), corrects the parameters on them, and judges by the distance:
-/// tolerance, status and errors of the result are those of the corrected surface. Folds that are left, and a
-/// surface that strays from the mesh, are among the notes.
-/// \throws InvalidInput  see fit_surface(), correct_parameters(); neither a size nor knots are given
+/// Corrects the parameters together with the control points, and judges by the distance: tolerance, status and
+/// errors of the result are those of the corrected surface. Folds that are left, and a surface that strays from the
+/// mesh, are among the notes; one that holds the tolerance and folds over more than 0.1 % of the square (against
+/// single triangles 0.5 %) has the status folded.
+///   A fixed size: corrected on uniform knots; method error-model: then on knots of that model on the corrected
+/// surface; optimal: then with the knots optimised on the distances between the rounds; each kept where the error
+/// falls. Knots given, or of another method: fit_surface() places them, the correction follows.
+///   A tolerance: the correction is part of the size search. Each size begins with the surface and the parameters of
+/// the one before and takes 2/5 of the rounds; near the tolerance L_P weights lower the maximum or percentile. Knots
+/// are uniform, or, with any other method, those of the error model on the corrected surface. Routes, effort and
+/// automatic degrees of FitOptions do not count.
+/// \throws InvalidInput  see fit_surface(), correct_parameters(); neither a tolerance nor a size nor knots are given
 MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,
                  const CorrectionOptions& correction = {}, const Control& control = {});
 

@@ -56,6 +56,7 @@ enum class Status {
   not_reached,            ///< a fixed size or given knots do not hold the tolerance
   data_too_sparse,        ///< half as many control points as points, and still above it
   tolerance_below_noise,  ///< more control points only follow the noise
+  folded,                 ///< the tolerance holds at the vertices, but the surface folds over the mesh
   limit_reached,          ///< --max-control-points or the budget of fits used up
   time_limit,             ///< --time-limit cut it short
   stopped,                ///< the caller's stop token

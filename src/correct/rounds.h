@@ -1,8 +1,8 @@
 // The schedule of a correction, in its own frame.
 #pragma once
 #include "correct/holding_mesh.h"
-#include "correct/tangent_system.h"
 #include "correct/watch.h"
+#include "fit/knot_jacobian.h"
 #include "knotfit/correct.h"
 namespace knotfit::correction {
 
@@ -11,12 +11,18 @@ struct Rounds {
   std::vector<double> uv;          ///< of the vertices of the mesh given, at it
   std::vector<CorrectionRound> rounds;
   Index best = 0;
+  double error = 0, folded = 0;  ///< of the best: the error that counts, the folded share
   bool stopped = false;
 };
 
 /// \param mesh     lengths over the diagonal
-/// \param options  checked; start in the frame
+/// \param options  checked; start and keep_by in the frame
 Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector& knots_v,
                   const CorrectionOptions& options, const Watch& watch);
+
+/// How the sum of the last step changes with the knots, at these parameters.
+/// \param surface  over its knots, in the frame
+std::optional<KnotJacobian> knot_jacobian(HoldingMesh mesh, const Surface& surface,
+                                          const CorrectionOptions& options);
 
 }  // namespace knotfit::correction

@@ -216,6 +216,25 @@ void TangentSystem::add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix
   }
 }
 
+std::optional<BandMatrix> TangentSystem::factored(const BandMatrix& matrix, const BandMatrix& scalar,
+                                                  int block, double lambda) const {
+  BandMatrix whole = matrix, energy = energy_, other = scalar;
+  const Index size = energy.size(), band = energy.bandwidth();
+  for (Index k = 0; k < size; ++k) {
+    const double *e = energy.column(k), *g = other.column(k);
+    for (Index d = 0; d <= std::min(band, size - 1 - k); ++d) {
+      const double x = lambda * e[d] + g[d];
+      if (x == 0) continue;
+      if (block == 1)
+        whole.add(k + d, k, x);
+      else
+        for (Index c = 0; c < 3; ++c) whole.add(3 * (k + d) + c, 3 * k + c, x);
+    }
+  }
+  if (!whole.factor()) return std::nullopt;
+  return whole;
+}
+
 std::optional<Surface> TangentSystem::solve(const SystemPoints& points, double smoothing,
                                             std::span<const GradientDatum> gradient,
                                             std::span<const HingeRow> hinge) const {
@@ -229,23 +248,11 @@ std::optional<Surface> TangentSystem::solve(const SystemPoints& points, double s
   const double energy_trace = energy_.trace();
   // Rounding can beat a very small floor: raise it rather than give up.
   for (double floor = smoothing; floor <= std::max(smoothing, 1e-5); floor = std::max(100 * floor, 1e-12)) {
-    BandMatrix whole = matrix;
-    const double lambda = energy_trace > 0 ? floor * trace / energy_trace : 0;
-    BandMatrix energy = energy_;
-    for (Index k = 0; k < size; ++k) {
-      const double *e = energy.column(k), *g = scalar.column(k);
-      for (Index d = 0; d <= std::min(band, size - 1 - k); ++d) {
-        const double x = lambda * e[d] + g[d];
-        if (x == 0) continue;
-        if (block == 1)
-          whole.add(k + d, k, x);
-        else
-          for (Index c = 0; c < 3; ++c) whole.add(3 * (k + d) + c, 3 * k + c, x);
-      }
-    }
-    if (!whole.factor()) continue;
+    const std::optional<BandMatrix> whole =
+        factored(matrix, scalar, block, energy_trace > 0 ? floor * trace / energy_trace : 0);
+    if (!whole) continue;
     std::vector<double> x = rhs;
-    whole.solve(x.data(), block == 1 ? 3 : 1);
+    whole->solve(x.data(), block == 1 ? 3 : 1);
     if (!std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); })) continue;
     std::vector<double> net(x.size());
     for (Index i = 0; i < u_.functions(); ++i)

@@ -7,6 +7,7 @@
 #include "correct/vec3.h"
 #include "fit/axis.h"
 #include "fit/banded.h"
+#include "fit/knot_jacobian.h"
 #include "knotfit/surface.h"
 namespace knotfit::correction {
 
@@ -56,7 +57,20 @@ class TangentSystem {
                                std::span<const GradientDatum> gradient,
                                std::span<const HingeRow> hinge) const;
 
+  /// The same sum as the knots move, the control points eliminated (Kaufman's variable projection on the points'
+  /// matrices: columns projected on the normals as far as these are) [METHOD 3]; smoothing, gradients and hinge rows
+  /// only hold the control points. Needs the matrices, and simple knots.
+  /// \param surface  over the system's knots, a minimiser of the whole
+  /// \param counts   by point: whether it is in the sum whose fall is wanted; the others hold the control points too
+  std::optional<KnotJacobian> knot_jacobian(const SystemPoints& points, double smoothing,
+                                            std::span<const GradientDatum> gradient,
+                                            std::span<const HingeRow> hinge, const Surface& surface,
+                                            std::span<const char> counts) const;
+
  private:
+  /// matrix + lambda J + the scalar matrix in each block, factored. \return nothing where it is not positive definite
+  std::optional<BandMatrix> factored(const BandMatrix& matrix, const BandMatrix& scalar, int block,
+                                     double lambda) const;
   Index index(Index i, Index j) const { return swapped_ ? j * u_.functions() + i : i * v_.functions() + j; }
   /// \return tr(A^T W A)
   double add_points(const SystemPoints& points, int block, BandMatrix& matrix,

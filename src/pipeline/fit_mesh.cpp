@@ -7,7 +7,10 @@
 #include <cmath>
 
 #include "knotfit/errors.h"
+#include "pipeline/frame.h"
+#include "pipeline/mesh_search.h"
 #include "pipeline/message.h"
+#include "pipeline/requirements.h"
 namespace knotfit {
 namespace {
 
@@ -15,13 +18,13 @@ namespace {
 void add_notes(MeshFit& fit) {
   const FoldReport& folds = fit.correction.folds;
   std::vector<std::string>& notes = fit.result.notes;
-  if (folds.blurred > 1e-3 || folds.raw > 5e-3) {
+  if (folds_over(folds)) {
     std::string note =
         fmt::format("the surface folds over {:.2g} % of the square (against single triangles {:.2g} %)",
                     100 * folds.blurred, 100 * folds.raw);
     if (!folds.places.empty())
       note += fmt::format(", most at u = {:.4g}, v = {:.4g}", folds.places[0].u, folds.places[0].v);
-    notes.push_back(note + ": more control points, or --correct off, leave less of it");
+    notes.push_back(note + ": more control points, or a looser tolerance, leave less of it");
   }
   if (folds.flipped > 0)
     notes.push_back(
@@ -63,32 +66,85 @@ bool take_distances(MeshFit& fit, const Mesh& mesh) {
   return sound && r.recheck_difference <= 1e-10 * r.diagonal + 64 * 2.3e-16 * r.surface.scale();
 }
 
-}  // namespace
-
-MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,
-                 const CorrectionOptions& correction, const Control& control) {
-  if (!options.knots && options.control_points_u == 0 && options.control_points_v == 0)
-    throw InvalidInput(
-        "a correction of the parameters needs a number of control points or knots; sizes are searched "
-        "without it");
+/// The correction of knots that a method placed at the map's parameters. \return false: the plain fit is kept
+bool correct_placed(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions& options,
+                    const CorrectionOptions& how, const Control& control) {
   const auto start = std::chrono::steady_clock::now();
-  MeshFit fit;
   FitOptions plain = options;
   plain.between = false;
   fit.result = fit_surface(mesh_points(mesh, map.uv), plain, control);
   fit.points = mesh_points(mesh, map.uv);
-  FitResult& r = fit.result;
-  if (r.surface.empty() || r.status == Status::failed) return fit;
-  CorrectionOptions how = correction;
-  how.smoothing = options.smoothing;
-  if (options.tolerance && options.tolerance->measure == ErrorMeasure::max && correction.reweighting == 0.1)
-    how.reweighting = 1;  // the maximum counts
+  const FitResult& r = fit.result;
+  if (r.surface.empty() || r.status == Status::failed) return false;
   Control rest = control;
   if (control.time_limit > 0)
     rest.time_limit =
         std::max(1e-3, control.time_limit -
                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   fit.correction = correct_parameters(mesh, map, r.surface.knots_u(), r.surface.knots_v(), how, rest);
+  return true;
+}
+
+/// A size searched with the correction inside, or a fixed one whose knots move with the parameters.
+void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions& options,
+            const CorrectionOptions& given, const Control& control) {
+  fit.points = mesh_points(mesh, map.uv);
+  check_requirements(fit.points, options);
+  FitResult& r = fit.result;
+  r.map = fit.points.map;
+  r.diagonal = bounding_diagonal(fit.points);
+  const double rounding = Frame(fit.points).rounding();
+  if (options.tolerance) r.asked = absolute_tolerance(*options.tolerance, fit.points, r.diagonal, rounding);
+  r.tolerance = r.asked.value;
+  r.effort = options.effort;
+  r.smoothing = options.smoothing;
+  CorrectionOptions how = given;
+  if (how.aspect == 0) how.aspect = map.quality.aspect;
+  how.data_vertices = mesh.vertex_count();
+  std::vector<double> uv = map.uv;
+  uv.insert(uv.end(), map.halved_uv.begin(), map.halved_uv.end());
+  const Mesh halved = halve_edges(mesh, map.halved_edges);
+  const correction::CorrectionWork work(halved, uv, how);
+  Tolerance inside = r.asked;  // room for the way out of the frame
+  inside.value = std::max(0.0, r.tolerance * (1 - 1e-9) - 4 * rounding) / work.frame().diagonal;
+  if (!options.tolerance) inside.measure = ErrorMeasure::rms;
+  MeshSearch found = options.control_points_u > 0 ? fit_mesh_size(work, options, inside, control)
+                                                  : search_mesh_sizes(work, options, inside, control);
+  r.status = found.status;
+  r.tried = std::move(found.tried);
+  r.method = found.method;
+  r.fits = found.fits;
+  fit.correction = std::move(found.correction);
+  for (std::vector<double>* x : {&fit.correction.uv, &fit.correction.foot_points})
+    x->resize(static_cast<std::size_t>(2 * mesh.vertex_count()));
+  fit.correction.signed_distances.resize(static_cast<std::size_t>(mesh.vertex_count()));
+}
+
+}  // namespace
+
+MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,
+                 const CorrectionOptions& correction, const Control& control) {
+  MeshFit fit;
+  CorrectionOptions how = correction;
+  how.smoothing = options.smoothing;
+  if (options.tolerance) {
+    how.keep_by.measure = options.tolerance->measure;
+    how.keep_by.share = options.tolerance->share;
+    if (options.tolerance->measure == ErrorMeasure::max && correction.reweighting == 0.1)
+      how.reweighting = 1;  // the maximum counts
+  }
+  FitResult& r = fit.result;
+  const bool searched = !options.knots && options.control_points_u == 0 && options.control_points_v == 0;
+  if (searched && !options.tolerance)
+    throw InvalidInput("give a tolerance, a number of control points, or knots");
+  const std::string& method = options.method;
+  const bool moves = !options.knots &&
+                     (method == "uniform" || method == "error-model" || method == "optimal") &&
+                     options.control_points_v > 0;
+  if (searched || moves)
+    search(fit, mesh, map, options, how, control);
+  else if (!correct_placed(fit, mesh, map, options, how, control))
+    return fit;
   if (fit.correction.status == CorrectionStatus::singular) {
     r.notes.push_back("the control points of the correction could not be solved for: the plain fit is kept");
     return fit;
@@ -104,13 +160,18 @@ MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options
   r.condition = 0;
   r.against_uniform = r.against_error_model = {};  // they compare errors at the parameters
   r.measured = options.tolerance ? measured_error(r.errors, r.asked) : r.error.max;
-  r.reached = options.tolerance && r.measured <= r.tolerance;
+  const bool holds = options.tolerance && r.measured <= r.tolerance,
+             folded = folds_over(fit.correction.folds);
+  r.reached = holds && !folded;
   const bool cut = fit.correction.status == CorrectionStatus::stopped;
   if (cut)
     r.status = control.stop.stop_requested() ? Status::stopped : Status::time_limit;
   else if (options.tolerance && r.status != Status::stopped && r.status != Status::time_limit)
-    r.status = r.reached ? Status::reached : Status::not_reached;
-  r.fits += static_cast<long>(fit.correction.rounds.size());
+    r.status = r.reached                                 ? Status::reached
+               : holds                                   ? Status::folded
+               : searched && r.status != Status::reached ? r.status
+                                                         : Status::not_reached;
+  if (!searched && !moves) r.fits += static_cast<long>(fit.correction.rounds.size());
   if (!control.stop.stop_requested()) fit.to_mesh = mesh_distances(r.surface, mesh, fit.correction.uv, 300);
   add_notes(fit);
   r.message = message_of(r, fit.points.size());

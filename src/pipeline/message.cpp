@@ -42,6 +42,10 @@ std::string message_of(const FitResult& r, Index points) {
           "the tolerance is below the noise of the data (standard deviation about {:.3g}): more control "
           "points would only follow the noise; best {}: {}",
           r.noise, size, measured);
+    case Status::folded:
+      return fmt::format(
+          "the surface folds over the mesh, though at the vertices the tolerance holds; {}: {}", size,
+          measured);
     case Status::limit_reached:
       return fmt::format("the limit on control points or fits was reached; best {}: {}", size, measured);
     case Status::time_limit:

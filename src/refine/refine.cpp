@@ -25,6 +25,8 @@ std::string_view to_string(Status status) {
       return "data_too_sparse";
     case Status::tolerance_below_noise:
       return "tolerance_below_noise";
+    case Status::folded:
+      return "folded";
     case Status::limit_reached:
       return "limit_reached";
     case Status::time_limit:

@@ -210,9 +210,27 @@ class Fit(MeshTest):
         for word in ("corrected in 30 rounds", "surface to mesh: max", "folds: 0 %", ": reached"):
             self.assertIn(word, text)
 
+    def test_a_search_corrects_at_every_size(self):
+        ask = ("--tol", "0.5%", "--knots", "uniform", "--threads", "1")
+        report = self.run_json("fit", MASK, *ask, "-o", "s.json")
+        plain = self.run_json("fit", MASK, *ask, "--correct", "off")
+        self.assertEqual(report["status"], "reached")
+        self.assertTrue(plain["reached"])
+        self.assertLess(report["control_points"], 0.5 * plain["control_points"])
+        self.assertLessEqual(report["error"]["max"], report["tolerance"]["value"])
+        self.assertLessEqual(report["correction"]["folds"]["blurred"], 1e-3)
+        distance = self.run_json("distance", "s.json", MASK, "--samples", "0")["points_to_surface"]
+        self.assertAlmostEqual(distance["max"], report["error"]["max"], delta=1e-9)
+        # A share of the points asks for less; the limit on control points is kept, and said.
+        most = self.run_json("fit", MASK, *ask, "--within", "95%")
+        self.assertLessEqual(most["control_points"], report["control_points"])
+        few = self.run_json("fit", MASK, *ask, "--max-control-points", "40", status=3)
+        self.assertEqual(few["status"], "limit_reached")
+        self.assertLessEqual(few["control_points"], 40)
+
     def test_what_cannot_be_corrected_is_refused(self):
         self.write_sheet()
-        self.refused("fit", "sheet.obj", "--correct", "5", "--tol", "1%", words=["--correct needs --control-points"])
+        self.refused("fit", "sheet.obj", "--correct", "5", "--tol", "1%", "--refine", "insert", words=["--refine search"])
         self.refused("fit", "sheet.obj", "--correct", "many", "--control-points", "6", words=["--correct", "whole number"])
         self.write_heights()
         self.refused("fit", "heights.csv", "--height-field", "--correct", "5", "--control-points", "6",

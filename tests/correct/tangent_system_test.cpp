@@ -170,5 +170,45 @@ TEST(TangentSystem, EnergyIsThatOfTheRectangle) {
   EXPECT_GT(other, 1e-3);
 }
 
+TEST(TangentSystem, ItsSlopeInTheKnotsIsThatOfTheSum) {
+  Random random(seed());
+  for (const bool swapped : {false, true}) {
+    Problem p = random_problem(random, 3, 2, 2, 2, true);
+    p.gradient.clear();
+    p.hinge.clear();
+    p.u = KnotVector::clamped(3, std::vector<double>{0.2, 0.45, 0.8});
+    p.v = KnotVector::clamped(
+        2, swapped ? std::vector<double>{0.15, 0.3, 0.5, 0.7, 0.9} : std::vector<double>{0.4});
+    const std::vector<char> all(p.point.size(), 1);
+    const auto solve = [&](const std::vector<double>& knots) {
+      Problem q = p;
+      const Index in_u = static_cast<Index>(p.u.interior().size());
+      q.u = KnotVector::clamped(3, std::span(knots).first(in_u));
+      q.v = KnotVector::clamped(2, std::span(knots).subspan(in_u));
+      const TangentSystem system(q.u, q.v, 1);
+      return std::pair{objective(q, *system.solve(q.points(), 1e-13, {}, {})), q};
+    };
+    std::vector<double> knots = p.u.interior();
+    const std::vector<double> in_v = p.v.interior();
+    knots.insert(knots.end(), in_v.begin(), in_v.end());
+    const TangentSystem system(p.u, p.v, 1);
+    const std::optional<KnotJacobian> jacobian =
+        system.knot_jacobian(p.points(), 1e-13, {}, {}, *system.solve(p.points(), 1e-13, {}, {}), all);
+    ASSERT_TRUE(jacobian);
+    ASSERT_EQ(jacobian->knots, knots.size());
+    // The control points minimise the sum: their own change adds nothing [Golub73]. Central differences of step h
+    // err by h^2 times a third derivative, and by rounding over h.
+    const double h = 1e-5;
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+      std::vector<double> before = knots, after = knots;
+      before[k] -= h;
+      after[k] += h;
+      const double slope = (solve(after).first - solve(before).first) / (4 * h);
+      EXPECT_NEAR(jacobian->gradient[k], slope, 1e-3 * (1 + std::abs(slope))) << k;
+      EXPECT_GE(jacobian->matrix[k * knots.size() + k], 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace knotfit::correction

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "knotfit/errors.h"
+#include "knotfit/threads.h"
 #include "parameterize/mesh_support.h"
 #include "support/expect_throw.h"
 namespace knotfit {
@@ -54,7 +55,7 @@ TEST(FitMesh, ItsErrorsAreDistancesToTheSurface) {
 TEST(FitMesh, TheDistanceIsWhatAToleranceIsHeldBy) {
   const double reached = fit_mesh(ridge().mesh, ridge().map, at_size(10, 1)).result.measured;
   const MeshFit holds = fit_mesh(ridge().mesh, ridge().map, at_size(10, 1.01 * reached));
-  const MeshFit fails = fit_mesh(ridge().mesh, ridge().map, at_size(10, 0.99 * reached));
+  const MeshFit fails = fit_mesh(ridge().mesh, ridge().map, at_size(10, 0.2 * reached));
   EXPECT_EQ(holds.result.status, Status::reached);
   EXPECT_TRUE(holds.result.reached);
   EXPECT_EQ(fails.result.status, Status::not_reached);
@@ -87,11 +88,77 @@ TEST(FitMesh, StopsWithAJudgedSurface) {
   EXPECT_GT(fit.result.error.rms, 0);
 }
 
-TEST(FitMesh, RefusesASearch) {
+FitOptions to_tolerance(double tolerance, ErrorMeasure measure = ErrorMeasure::max, double share = 1) {
   FitOptions options;
-  options.tolerance = ToleranceRequest{.value = 1e-3};
-  expect_throw<InvalidInput>([&] { fit_mesh(ridge().mesh, ridge().map, options); },
-                             "needs a number of control points");
+  options.method = "uniform";
+  options.tolerance = ToleranceRequest{.value = tolerance, .measure = measure, .share = share};
+  return options;
+}
+
+TEST(FitMesh, ASearchHoldsTheDistanceWithFewerControlPoints) {
+  const MeshFit fit = fit_mesh(ridge().mesh, ridge().map, to_tolerance(3e-3));
+  EXPECT_EQ(fit.result.status, Status::reached);
+  EXPECT_LE(point_distances(fit.result.surface, ridge().mesh.vertices).summary.max, 3e-3);
+  EXPECT_LE(fit.correction.folds.blurred, 1e-3);
+  EXPECT_FALSE(fit.result.tried.empty());
+  FitOptions plain = to_tolerance(3e-3);
+  plain.between = false;
+  const FitResult without = fit_surface(mesh_points(ridge().mesh, ridge().map.uv), plain);
+  EXPECT_LT(fit.result.surface.control_point_count(), without.surface.control_point_count());
+}
+
+TEST(FitMesh, ALooserToleranceDoesNotAskForMore) {
+  Index last = 1 << 30;
+  for (const double tolerance : {1e-3, 2e-3, 4e-3, 8e-3, 1.6e-2}) {
+    const MeshFit fit = fit_mesh(ridge().mesh, ridge().map, to_tolerance(tolerance));
+    EXPECT_EQ(fit.result.status, Status::reached) << tolerance;
+    EXPECT_LE(fit.result.surface.control_point_count(), last) << tolerance;
+    last = fit.result.surface.control_point_count();
+  }
+}
+
+TEST(FitMesh, ASearchTakesEveryMeasure) {
+  for (const ErrorMeasure measure : {ErrorMeasure::rms, ErrorMeasure::percentile}) {
+    const MeshFit fit = fit_mesh(ridge().mesh, ridge().map, to_tolerance(1e-3, measure, 0.95));
+    EXPECT_EQ(fit.result.status, Status::reached);
+    EXPECT_LE(measured_error(fit.result.errors, fit.result.asked), 1e-3);
+  }
+}
+
+TEST(FitMesh, ASearchGivesTheSameBitsForAnyNumberOfThreads) {
+  set_thread_count(1);
+  const MeshFit one = fit_mesh(ridge().mesh, ridge().map, to_tolerance(5e-3));
+  set_thread_count(3);
+  const MeshFit three = fit_mesh(ridge().mesh, ridge().map, to_tolerance(5e-3));
+  set_thread_count(0);
+  EXPECT_EQ(one.result.surface, three.result.surface);
+  EXPECT_EQ(one.correction.uv, three.correction.uv);
+}
+
+TEST(FitMesh, ASearchSaysWhatEndedIt) {
+  FitOptions options = to_tolerance(1e-4);
+  options.max_control_points = 36;
+  const MeshFit limited = fit_mesh(ridge().mesh, ridge().map, options);
+  EXPECT_EQ(limited.result.status, Status::limit_reached);
+  EXPECT_FALSE(limited.result.reached);
+  EXPECT_LE(limited.result.surface.control_point_count(), 36);
+  EXPECT_GT(limited.result.measured, 1e-4);
+  const MeshFit sparse = fit_mesh(ridge().mesh, ridge().map, to_tolerance(1e-7));
+  EXPECT_EQ(sparse.result.status, Status::data_too_sparse);
+  std::stop_source stop;
+  Control control;
+  control.stop = stop.get_token();
+  control.progress = [&](const Progress& p) {
+    if (p.stage == "size search") stop.request_stop();
+  };
+  const MeshFit stopped = fit_mesh(ridge().mesh, ridge().map, to_tolerance(1e-4), {}, control);
+  EXPECT_EQ(stopped.result.status, Status::stopped);
+  EXPECT_FALSE(stopped.result.surface.empty());
+}
+
+TEST(FitMesh, RefusesToSearchForNothing) {
+  expect_throw<InvalidInput>([&] { fit_mesh(ridge().mesh, ridge().map, {}); },
+                             "give a tolerance, a number of control points, or knots");
 }
 
 }  // namespace

@@ -1,0 +1,179 @@
+#include "correct/work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "correct/final_parameters.h"
+#include "knotfit/errors.h"
+namespace knotfit::correction {
+namespace {
+
+void check_range(double x, double low, double high, const char* name) {
+  if (!(x >= low && x <= high))
+    throw InvalidInput(fmt::format("{} is {}: it must be {} to {}", name, x, low, high));
+}
+
+void check(const Mesh& mesh, const std::vector<double>& uv, const CorrectionOptions& options) {
+  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
+    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
+                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  for (std::size_t k = 0; k < uv.size(); ++k)
+    if (!(uv[k] >= 0 && uv[k] <= 1))
+      throw InvalidInput(fmt::format("{} of vertex {} is {}: parameters lie in [0,1]", k % 2 == 0 ? "u" : "v",
+                                     k / 2, uv[k]));
+  for (const double x : mesh.vertices)
+    if (!std::isfinite(x)) throw InvalidInput("a coordinate of the mesh is not finite");
+  if (mesh.faces.empty()) throw InvalidInput("the mesh has no faces: a correction needs its triangles");
+  for (const auto& f : mesh.faces)
+    for (const std::int32_t k : f)
+      if (k < 0 || k >= mesh.vertex_count())
+        throw InvalidInput(
+            fmt::format("a face has the corner {}; there are {} vertices", k, mesh.vertex_count()));
+  check_range(options.rounds, 0, 100000, "the number of rounds");
+  check_range(options.reweighting, 0, 1e6, "the reweighting");
+  check_range(options.gradient, 0, 1e6, "the weight of the gradients");
+  check_range(options.holding, 0, 1e6, "the weight of added vertices");
+  check_range(options.smoothing, 0, 1e6, "the smoothing floor");
+  check_range(options.aspect, 0, 1e6, "the aspect");
+  check_range(options.minimax_rounds, 0, 100000, "the number of minimax rounds");
+  check_range(options.keep_by.value, 0, 1e300, "the error that ends the rounds");
+  if (options.keep_by.measure == ErrorMeasure::percentile)
+    check_range(options.keep_by.share, 1e-12, 1, "the share of the points");
+  if (options.data_vertices > mesh.vertex_count())
+    throw InvalidInput(fmt::format("{} vertices are to be data; the mesh has {}", options.data_vertices,
+                                   mesh.vertex_count()));
+}
+
+Surface mapped(const Surface& s, const CorrectionFrame& frame, bool out) {
+  std::vector<double> net = s.net();
+  const double c[3] = {frame.centre.x, frame.centre.y, frame.centre.z};
+  for (std::size_t i = 0; i < net.size(); ++i)
+    net[i] = out ? net[i] * frame.diagonal + c[i % 3] : (net[i] - c[i % 3]) / frame.diagonal;
+  return Surface(s.knots_u(), s.knots_v(), 3, std::move(net));
+}
+
+/// Distances of the data vertices, each found from its own parameters.
+void measure(CorrectionResult& result, const Mesh& mesh, Index data, const Control& control) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<char> used(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (mesh.virtual_face.empty() || !mesh.virtual_face[f])
+      for (const std::int32_t k : mesh.faces[f]) used[k] = k < data;
+  std::vector<double> points, start;
+  std::vector<Index> vertex;
+  for (Index k = 0; k < mesh.vertex_count(); ++k) {
+    if (!used[k]) continue;
+    vertex.push_back(k);
+    points.insert(points.end(), mesh.vertex(k), mesh.vertex(k) + 3);
+    start.insert(start.end(), &result.uv[2 * k], &result.uv[2 * k] + 2);
+  }
+  result.signed_distances.assign(static_cast<std::size_t>(mesh.vertex_count()), none);
+  result.foot_points.assign(static_cast<std::size_t>(2 * mesh.vertex_count()), none);
+  Control quiet;  // what is left to do is short; the rounds are what a stop cuts
+  quiet.progress = control.progress;
+  PointDistances d = point_distances(result.surface, points, start, {}, quiet);
+  for (std::size_t i = 0; i < vertex.size(); ++i) {
+    result.signed_distances[vertex[i]] = d.signed_distances[i];
+    std::copy_n(&d.uv[2 * i], 2, &result.foot_points[2 * vertex[i]]);
+  }
+  result.distance = d.summary;
+  result.distance.worst = vertex[d.summary.worst];
+}
+
+}  // namespace
+
+CorrectionFrame::CorrectionFrame(const Mesh& mesh) {
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  for (const auto& f : mesh.faces)
+    for (const std::int32_t k : f) {
+      const double* p = mesh.vertex(k);
+      low = {std::min(low.x, p[0]), std::min(low.y, p[1]), std::min(low.z, p[2])};
+      high = {std::max(high.x, p[0]), std::max(high.y, p[1]), std::max(high.z, p[2])};
+    }
+  centre = 0.5 * low + 0.5 * high;
+  diagonal = length(high - low);
+  if (!(diagonal > 0) || !std::isfinite(diagonal))
+    throw InvalidInput(
+        "all vertices of the mesh are at one place, or too far apart: there is no surface to fit");
+}
+
+std::vector<Vec3> CorrectionFrame::inside(const Mesh& mesh) const {
+  std::vector<Vec3> p;
+  for (Index k = 0; k < mesh.vertex_count(); ++k) p.push_back((1 / diagonal) * (at(mesh.vertex(k)) - centre));
+  return p;
+}
+
+Surface CorrectionFrame::inside(const Surface& s) const {
+  return mapped(s, *this, false);
+}
+
+Surface CorrectionFrame::outside(const Surface& s) const {
+  return mapped(s, *this, true);
+}
+
+CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options)
+    : mesh_(mesh),
+      first_((check(mesh, uv, options), std::move(uv))),
+      options_(options),
+      frame_(mesh),
+      holding_(holding_mesh(mesh, frame_.inside(mesh), first_,
+                            options.data_vertices >= 0 ? options.data_vertices : mesh.vertex_count())),
+      data_(holding_.own) {
+  if (options_.aspect == 0) {
+    options_.aspect = measure_map(mesh, first_).aspect;
+    if (!(options_.aspect > 0) || !std::isfinite(options_.aspect)) options_.aspect = 1;
+  }
+  const std::vector<std::int32_t> measured = point_weights(holding_).vertex;
+  if (measured.size() < 4 || data_ < 4)
+    throw InvalidInput("fewer than 4 vertices are data: there is no surface to fit");
+  const std::vector<Slide> all = slides(holding_, options.slide, options.round_corners);
+  sliding_.assign(all.size(), Slide::fixed);  // in the middle of a hole
+  for (const std::int32_t k : measured) sliding_[k] = all[k];
+}
+
+Rounds CorrectionWork::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
+                           const CorrectionOptions& options, const Watch& watch) const {
+  HoldingMesh mesh = holding_;
+  mesh.uv = std::move(uv);
+  return run_rounds(std::move(mesh), knots_u, knots_v, options, watch);
+}
+
+std::optional<KnotJacobian> CorrectionWork::knots(std::vector<double> uv, const Surface& surface) const {
+  HoldingMesh mesh = holding_;
+  mesh.uv = std::move(uv);
+  return knot_jacobian(std::move(mesh), surface, options_);
+}
+
+double CorrectionWork::error(const CorrectionResult& result, const Tolerance& tolerance) const {
+  std::vector<double> distances;
+  for (const double d : result.signed_distances)
+    if (!std::isnan(d)) distances.push_back(std::abs(d) / frame_.diagonal);
+  return distances.empty() ? INFINITY : measured_error(distances, tolerance);
+}
+
+CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, const Control& control) const {
+  CorrectionResult result;
+  result.rounds = std::move(rounds.rounds);
+  result.best_round = rounds.best;
+  if (!rounds.surface) {
+    result.status = CorrectionStatus::singular;
+    result.uv = first_;
+    return result;
+  }
+  result.status = rounds.stopped                            ? CorrectionStatus::stopped
+                  : rounds.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
+                                                            : CorrectionStatus::corrected;
+  result.surface = frame_.outside(*rounds.surface);
+  result.uv = from_first_fit && rounds.best == 0
+                  ? first_
+                  : final_parameters(mesh_.faces, frame_.inside(mesh_), sliding_, first_,
+                                     std::move(rounds.uv), *rounds.surface);
+  measure(result, mesh_, data_, control);
+  result.folds = measure_folds(result.surface, mesh_, result.uv);
+  return result;
+}
+
+}  // namespace knotfit::correction

@@ -1,0 +1,56 @@
+// What a correction is made in: the mesh in its own frame, prepared once for any number of knots.
+#pragma once
+#include <vector>
+
+#include "correct/holding_mesh.h"
+#include "correct/rounds.h"
+#include "knotfit/correct.h"
+namespace knotfit::correction {
+
+/// x -> (x - centre) / diagonal.
+struct CorrectionFrame {
+  Vec3 centre;
+  double diagonal = 1;
+  /// \throws InvalidInput  a mesh without extent
+  explicit CorrectionFrame(const Mesh& mesh);
+  std::vector<Vec3> inside(const Mesh& mesh) const;
+  Surface inside(const Surface& s) const;
+  Surface outside(const Surface& s) const;
+};
+
+class CorrectionWork {
+ public:
+  /// \param mesh  outlives the work
+  /// \throws InvalidInput  see correct_parameters(); knots are not looked at
+  CorrectionWork(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options);
+
+  const CorrectionFrame& frame() const { return frame_; }
+  const CorrectionOptions& options() const { return options_; }  ///< the aspect is known
+  const std::vector<double>& first() const { return first_; }
+
+  /// \param uv       of the mesh's vertices, to begin with
+  /// \param options  in the frame: start, keep_by
+  Rounds run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
+             const CorrectionOptions& options, const Watch& watch) const;
+
+  /// Of the distances in the knots of a surface in the frame. \return nothing where they cannot be solved for
+  std::optional<KnotJacobian> knots(std::vector<double> uv, const Surface& surface) const;
+
+  Index data() const { return data_; }  ///< vertices that are data
+  /// The error that counts, over the diagonal.
+  double error(const CorrectionResult& result, const Tolerance& tolerance) const;
+
+  /// Out of the frame, parameters of the mesh's own triangles, distances and folds measured.
+  CorrectionResult finish(Rounds rounds, bool from_first_fit, const Control& control) const;
+
+ private:
+  const Mesh& mesh_;
+  std::vector<double> first_;
+  CorrectionOptions options_;
+  CorrectionFrame frame_;
+  HoldingMesh holding_;
+  Index data_;
+  std::vector<Slide> sliding_;
+};
+
+}  // namespace knotfit::correction

@@ -1,0 +1,105 @@
+#include "pipeline/mesh_knots.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "fit/problem.h"
+#include "knotfit/evaluate.h"
+#include "place/error_model.h"
+#include "place/knot_spacings.h"
+#include "place/shares.h"
+#include "spline/projection.h"
+namespace knotfit {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double kMostStep = 0.3;   // of a logarithm of a span: the parameters have to follow
+constexpr double kLeastSpan = 0.1;  // of the mean: narrower ones have few vertices to hold them
+
+std::vector<double> spread(const KnotVector& knots, int interior) {
+  const std::vector<double> breaks = knots.breaks();
+  const auto spans = static_cast<double>(breaks.size() - 1);
+  std::vector<double> result;
+  for (int k = 1; k <= interior; ++k) {
+    const double at = spans * k / (interior + 1);
+    const auto i = std::min(static_cast<std::size_t>(at), breaks.size() - 2);
+    result.push_back(breaks[i] + (at - static_cast<double>(i)) * (breaks[i + 1] - breaks[i]));
+  }
+  return result;
+}
+
+/// As many places in every span as determine the surface, and the ends.
+std::vector<double> places(const KnotVector& knots) {
+  const std::vector<double> breaks = knots.breaks();
+  const int per_span = knots.degree() + 1;
+  std::vector<double> x{0};
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+    for (int k = 0; k < per_span; ++k)
+      x.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * (k + 0.5) / per_span);
+  x.push_back(1);
+  return x;
+}
+
+}  // namespace
+
+Surface carried_over(const Surface& s, const KnotVector& u, const KnotVector& v) {
+  Surface result = s;
+  if (!(s.knots_u() == u)) result = project_u(result, u).surface;
+  if (!(s.knots_v() == v)) result = transposed(project_u(transposed(result), v).surface);
+  return result;
+}
+
+InteriorKnots knots_anew(const Surface& s, int interior_u, int interior_v) {
+  const std::vector<double> u = places(s.knots_u()), v = places(s.knots_v());
+  ParameterizedPoints grid;
+  grid.dimension = s.dimension();
+  grid.values = evaluate_grid(s, u, v);
+  for (const double a : u)
+    for (const double b : v) grid.uv.insert(grid.uv.end(), {a, b});
+  LeastSquaresOptions options;
+  options.estimate_condition = false;
+  FitProblem problem(grid, s.degree_u(), s.degree_v(), options);
+  problem.solve({s.knots_u().interior(), s.knots_v().interior()});
+  InteriorKnots knots = knots_of_density(problem, interior_u, interior_v);
+  const auto halfway = [](std::vector<double>& x, const std::vector<double>& from) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = (x[i] + from[i]) / 2;
+    widen_spans(x, kLeastSpan);
+  };
+  halfway(knots.u, spread(s.knots_u(), interior_u));
+  halfway(knots.v, spread(s.knots_v(), interior_v));
+  return knots;
+}
+
+SpacingsModel::SpacingsModel(const KnotJacobian& jacobian, const InteriorKnots& knots) : knots_(knots) {
+  const KnotSpacings u(knots.u), v(knots.v);
+  const std::size_t unknowns = u.length.size() + v.length.size();
+  std::vector<double> chain(jacobian.knots * unknowns, 0.0);
+  u.chain(chain, 0, 0, unknowns);
+  v.chain(chain, knots.u.size(), u.length.size(), unknowns);
+  const auto k = static_cast<Index>(jacobian.knots), n = static_cast<Index>(unknowns);
+  const Eigen::Map<const RowMajor> c(chain.data(), k, n), h(jacobian.matrix.data(), k, k);
+  const Eigen::Map<const Eigen::VectorXd> g(jacobian.gradient.data(), k);
+  matrix_.resize(unknowns * unknowns);
+  gradient_.resize(unknowns);
+  Eigen::Map<RowMajor>(matrix_.data(), n, n).noalias() = c.transpose() * (h * c);
+  Eigen::Map<Eigen::VectorXd>(gradient_.data(), n).noalias() = c.transpose() * g;
+}
+
+std::optional<InteriorKnots> SpacingsModel::moved(double mu) const {
+  const auto n = static_cast<Index>(gradient_.size());
+  Eigen::MatrixXd damped = Eigen::Map<const RowMajor>(matrix_.data(), n, n);
+  const double trace = damped.trace();
+  damped.diagonal() =
+      (damped.diagonal().array() * (1 + mu) + (mu * 1e-6 / static_cast<double>(n) + 1e-13) * trace).matrix();
+  Eigen::VectorXd step = -damped.ldlt().solve(Eigen::Map<const Eigen::VectorXd>(gradient_.data(), n));
+  const double largest = step.cwiseAbs().maxCoeff();
+  if (!std::isfinite(largest)) return std::nullopt;
+  if (largest > kMostStep) step *= kMostStep / largest;
+  const KnotSpacings u(knots_.u), v(knots_.v);
+  return InteriorKnots{u.moved(step.data(), kLeastSpan).knots(),
+                       v.moved(step.data() + u.length.size(), kLeastSpan).knots()};
+}
+
+}  // namespace knotfit

@@ -1,0 +1,84 @@
+#include "pipeline/mesh_rounds.h"
+
+#include <cmath>
+
+#include "pipeline/mesh_knots.h"
+namespace knotfit {
+
+using correction::Rounds;
+
+MeshRounds::MeshRounds(const correction::CorrectionWork& work, int degree_u, int degree_v,
+                       const Tolerance& tolerance, const Control& control, bool reports)
+    : work_(work),
+      degree_u_(degree_u),
+      degree_v_(degree_v),
+      tolerance_(tolerance),
+      control_(control),
+      watch_(control_, "correction") {
+  if (!reports) control_.progress = nullptr;
+}
+
+double MeshRounds::merit(const Rounds& r) {
+  return r.surface ? r.error * (1 + 20 * r.folded) : INFINITY;
+}
+
+Rounds MeshRounds::run(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
+                       int rounds, const Tolerance& keep_by, int minimax) const {
+  const KnotVector u = KnotVector::clamped(degree_u_, knots.u), v = KnotVector::clamped(degree_v_, knots.v);
+  CorrectionOptions o = work_.options();
+  o.rounds = rounds;
+  o.keep_by = keep_by;
+  o.minimax_rounds = minimax;
+  if (start) o.start = carried_over(*start, u, v);
+  Rounds r = work_.run(uv, u, v, o, watch_);
+  fits_ += static_cast<long>(r.rounds.size());
+  return r;
+}
+
+Rounds MeshRounds::correct(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
+                           int rounds, double enough, int minimax) const {
+  return run(uv, knots, start, rounds, {enough, tolerance_.measure, tolerance_.share}, minimax);
+}
+
+Rounds MeshRounds::with_knots_anew(Rounds base, int rounds) const {
+  if (!base.surface || base.stopped) return base;
+  const Surface& s = *base.surface;
+  const InteriorKnots knots = knots_anew(s, static_cast<int>(s.knots_u().interior().size()),
+                                         static_cast<int>(s.knots_v().interior().size()));
+  Rounds next = correct(base.uv, knots, &s, rounds);
+  return merit(next) < merit(base) ? std::move(next) : std::move(base);
+}
+
+Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
+  constexpr int kTries = 3, kRoundsAStep = 3;
+  if (!base.surface || base.stopped) return base;
+  const auto knots_of = [](const Surface& s) {
+    return InteriorKnots{s.knots_u().interior(), s.knots_v().interior()};
+  };
+  const Tolerance by_rms{.value = 0, .measure = ErrorMeasure::rms};
+  Rounds now = run(base.uv, knots_of(*base.surface), &*base.surface, 1, by_rms, 0);
+  double mu = 0.1;
+  bool moved = false;
+  for (int step = 0; step < steps && now.surface && !watch_.over(); ++step) {
+    const std::optional<KnotJacobian> jacobian = work_.knots(now.uv, *now.surface);
+    if (!jacobian || jacobian->knots == 0) break;
+    const SpacingsModel model(*jacobian, knots_of(*now.surface));
+    bool accepted = false;
+    for (int trial = 0; trial < kTries && !accepted; ++trial) {
+      const std::optional<InteriorKnots> knots = model.moved(mu);
+      if (knots) {
+        Rounds next = run(now.uv, *knots, &*now.surface, kRoundsAStep, by_rms, 0);
+        accepted = merit(next) < merit(now) * (1 - 1e-3);
+        if (accepted) now = std::move(next);
+      }
+      mu *= accepted ? 0.3 : 6;
+    }
+    if (!accepted) break;
+    moved = true;
+  }
+  if (!moved || !now.surface) return base;
+  Rounds judged = correct(now.uv, knots_of(*now.surface), &*now.surface, 1);
+  return merit(judged) < merit(base) ? std::move(judged) : std::move(base);
+}
+
+}  // namespace knotfit

@@ -1,0 +1,42 @@
+// Rounds of correction at one size, with knots that may move between them.
+#pragma once
+#include <vector>
+
+#include "correct/work.h"
+#include "knotfit/interior_knots.h"
+namespace knotfit {
+
+class MeshRounds {
+ public:
+  /// \param tolerance  what counts as the error, in the frame of the work
+  /// \param reports    its rounds are the progress; else its caller reports
+  MeshRounds(const correction::CorrectionWork& work, int degree_u, int degree_v, const Tolerance& tolerance,
+             const Control& control, bool reports);
+
+  /// \param start   carried over to the knots; null: the plain fit
+  /// \param enough  the error that ends the rounds; 0: none
+  correction::Rounds correct(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
+                             int rounds, double enough = 0, int minimax = 0) const;
+
+  /// Knots by the error model on the corrected surface, at its size, with rounds after them; the better of both.
+  correction::Rounds with_knots_anew(correction::Rounds base, int rounds) const;
+  /// Levenberg-Marquardt steps of the knots on the distances, each with rounds of its own; the RMS falls.
+  correction::Rounds with_knots_moved(correction::Rounds base, int steps) const;
+
+  /// Error times 1 + 20 folded share; infinite without a surface.
+  static double merit(const correction::Rounds& r);
+  long fits() const { return fits_; }
+
+ private:
+  correction::Rounds run(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
+                         int rounds, const Tolerance& keep_by, int minimax) const;
+
+  const correction::CorrectionWork& work_;
+  int degree_u_, degree_v_;
+  Tolerance tolerance_;
+  Control control_;
+  correction::Watch watch_;
+  mutable long fits_ = 0;
+};
+
+}  // namespace knotfit

@@ -1,0 +1,215 @@
+#include "pipeline/mesh_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/mesh_knots.h"
+#include "pipeline/mesh_rounds.h"
+#include "place/shares.h"
+namespace knotfit {
+namespace {
+
+using correction::Rounds;
+using Spans = std::pair<int, int>;
+
+constexpr double kGrow = 1.4, kStep = 1.05;  // of the product of the spans, coarse and fine
+constexpr double kNear = 2;                  // times the tolerance: what the last rounds may gain
+constexpr int kLastRounds = 6, kMinimaxRounds = 15;
+constexpr long kMostRounds = 6000;
+constexpr double kBeyond =
+    1.5;  // a size that holds but folds is passed by sizes up to this many times larger
+
+class MeshSizes {
+ public:
+  MeshSizes(const correction::CorrectionWork& work, const FitOptions& options, const Tolerance& tolerance,
+            const Control& control)
+      : work_(work),
+        options_(options),
+        tolerance_(tolerance),
+        control_(control),
+        watch_(control, "size search"),
+        moves_(options.method != "uniform"),
+        ratio_(std::clamp(options.span_ratio > 0 ? options.span_ratio : work.options().aspect, 0.2, 5.0)),
+        most_(options.max_control_points > 0 ? options.max_control_points : work.data() / 2),
+        most_rounds_(options.max_fits > 0 ? options.max_fits : kMostRounds),
+        rounds_of_(work, options.degree_u, options.degree_v, tolerance, control, false),
+        // Half of a full correction's rounds, twice where the knots move between.
+        rounds_(std::max(1, work.options().rounds * 2 / 5)) {}
+
+  MeshSearch run() {
+    grow();
+    MeshSearch found;
+    found.correction = verified_ ? std::move(*verified_) : work_.finish(best_.rounds, false, control_);
+    found.status = control_.stop.stop_requested() ? Status::stopped
+                   : watch_.over()                ? Status::time_limit
+                                                  : status_;
+    found.tried = std::move(tried_);
+    found.fits = rounds_of_.fits();
+    found.method = moves_ ? "error-model" : "uniform";
+    return found;
+  }
+
+ private:
+  struct State {
+    Spans spans{};
+    Rounds rounds;
+    double merit() const { return MeshRounds::merit(rounds); }
+  };
+
+  Index size(const Spans& s) const {
+    return (s.first + Index{options_.degree_u}) * (s.second + Index{options_.degree_v});
+  }
+  Spans spans(double product) const {
+    const auto whole = [](double x) { return std::max(1, static_cast<int>(std::lround(x))); };
+    return {whole(std::sqrt(product * ratio_)), whole(std::sqrt(product / ratio_))};
+  }
+  bool interrupted() const { return watch_.over() || rounds_of_.fits() >= most_rounds_; }
+
+  /// The same for every tolerance. \param from  a smaller size; null: from the map
+  State solve(const Spans& at, const State* from) {
+    State state{at, {}};
+    const int iu = at.first - 1, iv = at.second - 1;
+    InteriorKnots knots{uniform_knots(iu), uniform_knots(iv)};
+    if (from && from->rounds.surface) {
+      const Surface& s = *from->rounds.surface;
+      if (moves_) knots = knots_anew(s, iu, iv);
+      state.rounds = rounds_of_.correct(from->rounds.uv, knots, &s, rounds_);
+    } else {
+      state.rounds = rounds_of_.correct(work_.first(), knots, nullptr, rounds_);
+    }
+    if (moves_ && !watch_.over()) state.rounds = rounds_of_.with_knots_anew(std::move(state.rounds), rounds_);
+    return state;
+  }
+
+  bool meets(const Rounds& r) const { return r.surface && r.error <= tolerance_.value; }
+
+  /// The last rounds of a size, where the tolerance is near. \return true where it holds, verified
+  bool settle(const State& state) {
+    State last = state;
+    if (!meets(state.rounds) && state.rounds.surface && state.rounds.error <= kNear * tolerance_.value) {
+      const Surface& s = *state.rounds.surface;
+      State more{state.spans,
+                 rounds_of_.correct(state.rounds.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s,
+                                    kLastRounds, tolerance_.value,
+                                    tolerance_.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds)};
+      if (more.merit() < last.merit()) last = std::move(more);
+    }
+    bool holds = false;
+    if (meets(last.rounds)) {
+      CorrectionResult result = work_.finish(last.rounds, false, control_);
+      const double error = work_.error(result, tolerance_);
+      last.rounds.error = std::min(last.rounds.error, error);
+      if (error <= tolerance_.value) {
+        holds = !folds_over(result.folds);
+        // One that only folds is kept until a larger one does not.
+        if (holds || !verified_) verified_ = std::move(result);
+        if (!holds && folded_ == 0) folded_ = size(state.spans);
+      }
+    }
+    if (!best_.rounds.surface || last.merit() < best_.merit()) best_ = last;
+    tried_.push_back({state.spans.first + options_.degree_u, state.spans.second + options_.degree_v,
+                      last.rounds.error * work_.frame().diagonal, holds});
+    if (control_.progress)
+      control_.progress({.stage = "size search",
+                         .error = best_.rounds.error * work_.frame().diagonal,
+                         .tolerance = tolerance_.value * work_.frame().diagonal,
+                         .size_u = tried_.back().size_u,
+                         .size_v = tried_.back().size_v,
+                         .fits = rounds_of_.fits()});
+    return holds;
+  }
+
+  /// From small to the first size that holds.
+  void grow() {
+    std::optional<State> last;
+    for (double product = 4;; product *= kGrow) {
+      const Spans at = spans(product);
+      if (last && at == last->spans) continue;
+      if (size(at) > most_ && last) {
+        status_ = options_.max_control_points > 0 ? Status::limit_reached : Status::data_too_sparse;
+        break;
+      }
+      if (last && interrupted()) {
+        status_ = Status::limit_reached;
+        break;
+      }
+      if (folded_ > 0 && static_cast<double>(size(at)) > kBeyond * static_cast<double>(folded_)) break;
+      State now = solve(at, last ? &*last : nullptr);
+      if (settle(now)) {
+        status_ = Status::reached;
+        if (last) refine(*last, product / kGrow, product);
+        return;
+      }
+      last = std::move(now);
+    }
+    if (folded_ > 0) status_ = Status::folded;
+  }
+
+  /// Between a size that failed and one that holds.
+  void refine(State last, double low, double high) {
+    const Index held = size(spans(high));
+    for (double product = low * kStep; product < high && !interrupted(); product *= kStep) {
+      const Spans at = spans(product);
+      if (at == last.spans || size(at) >= held) continue;
+      State now = solve(at, &last);
+      if (settle(now)) return;
+      last = std::move(now);
+    }
+  }
+
+  const correction::CorrectionWork& work_;
+  const FitOptions& options_;
+  Tolerance tolerance_;
+  const Control& control_;
+  correction::Watch watch_;
+  bool moves_;
+  double ratio_;
+  Index most_;
+  long most_rounds_;
+  MeshRounds rounds_of_;
+  int rounds_;
+  Status status_ = Status::not_run;
+  State best_;
+  std::optional<CorrectionResult> verified_;
+  Index folded_ = 0;  ///< the first size that holds the tolerance and folds
+  std::vector<SizeTried> tried_;
+};
+
+}  // namespace
+
+MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOptions& options,
+                         const Tolerance& tolerance, const Control& control) {
+  constexpr int kAnew = 2, kSteps = 12;
+  const MeshRounds rounds(work, options.degree_u, options.degree_v, tolerance, control, true);
+  const int all = work.options().rounds;
+  const InteriorKnots uniform{uniform_knots(options.control_points_u - options.degree_u - 1),
+                              uniform_knots(options.control_points_v - options.degree_v - 1)};
+  Rounds best = rounds.correct(work.first(), uniform, nullptr, all);
+  if (options.method == "error-model" || options.method == "optimal")
+    for (int k = 0; k < kAnew; ++k) best = rounds.with_knots_anew(std::move(best), (all + 1) / 2);
+  if (options.method == "optimal") best = rounds.with_knots_moved(std::move(best), kSteps);
+  if (options.tolerance && best.surface && best.error > tolerance.value) {
+    const Surface& s = *best.surface;
+    Rounds last = rounds.correct(best.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
+                                 tolerance.value,
+                                 tolerance.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
+    if (MeshRounds::merit(last) < MeshRounds::merit(best)) best = std::move(last);
+  }
+  MeshSearch found;
+  found.correction = work.finish(std::move(best), false, control);
+  found.status = control.stop.stop_requested() ? Status::stopped : Status::fixed_size;
+  found.fits = rounds.fits();
+  found.method = options.method;
+  return found;
+}
+
+bool folds_over(const FoldReport& folds) {
+  return folds.blurred > kMostBlurredFold || folds.raw > kMostRawFold;
+}
+
+MeshSearch search_mesh_sizes(const correction::CorrectionWork& work, const FitOptions& options,
+                             const Tolerance& tolerance, const Control& control) {
+  return MeshSizes(work, options, tolerance, control).run();
+}
+
+}  // namespace knotfit
