@@ -206,7 +206,12 @@ class FitWriter {
     PictureInput p;
     p.surface = &result.surface;
     p.points = &report_.input.points;
-    p.signed_errors = signed_errors(result.surface, report_.input.points);
+    if (report_.corrected != nullptr) {
+      for (const double d : report_.corrected->signed_distances) p.signed_errors.push_back(-d);  // S - P
+      p.fold_places = report_.corrected->correction.folds.places;
+    } else {
+      p.signed_errors = signed_errors(result.surface, report_.input.points);
+    }
     p.tolerance = result.tolerance;
     p.title = std::filesystem::path(report_.input.summary.path).filename().string() + ", " + verdict(report_);
     p.subtitle = "knotfit fit " + options_to_text(report_.choices);

@@ -21,8 +21,9 @@ struct MeshFit {
 /// surface; optimal: then with the knots optimised on the distances between the rounds; each kept where the error
 /// falls. Knots given, or of another method: fit_surface() places them, the correction follows.
 ///   A tolerance: the correction is part of the size search. Each size begins with the surface and the parameters of
-/// the one before and takes 2/5 of the rounds; near the tolerance L_P weights lower the maximum or percentile. Knots
-/// are uniform, or, with any other method, those of the error model on the corrected surface. Routes, effort and
+/// the one before and takes 2/5 of the rounds; near the tolerance L_P weights lower the maximum or percentile, and
+/// knots move from uniform ones as far as the method asks: error-model, or with any other both that and steps on the
+/// distances. Routes, effort and
 /// automatic degrees of FitOptions do not count.
 /// \throws InvalidInput  see fit_surface(), correct_parameters(); neither a tolerance nor a size nor knots are given
 MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "knotfit/folds.h"
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
 #include "knotfit/verify.h"
@@ -17,6 +18,7 @@ struct PictureInput {
   std::string unit;                    ///< of errors, for the legend; may be empty
   std::string title, subtitle;         ///< drawn on top
   std::vector<ThinPlace> thin_places;  ///< hatched in the parameter plane
+  std::vector<FoldPlace> fold_places;  ///< circled in the parameter plane, as large as their share of it
 };
 struct PictureOptions {
   int width = 1600, height = 900;  ///< pixels (png) or points (svg, pdf)

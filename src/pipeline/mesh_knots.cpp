@@ -6,6 +6,7 @@
 
 #include "fit/problem.h"
 #include "knotfit/evaluate.h"
+#include "place/damped_step.h"
 #include "place/error_model.h"
 #include "place/knot_spacings.h"
 #include "place/shares.h"
@@ -88,15 +89,8 @@ SpacingsModel::SpacingsModel(const KnotJacobian& jacobian, const InteriorKnots& 
 }
 
 std::optional<InteriorKnots> SpacingsModel::moved(double mu) const {
-  const auto n = static_cast<Index>(gradient_.size());
-  Eigen::MatrixXd damped = Eigen::Map<const RowMajor>(matrix_.data(), n, n);
-  const double trace = damped.trace();
-  damped.diagonal() =
-      (damped.diagonal().array() * (1 + mu) + (mu * 1e-6 / static_cast<double>(n) + 1e-13) * trace).matrix();
-  Eigen::VectorXd step = -damped.ldlt().solve(Eigen::Map<const Eigen::VectorXd>(gradient_.data(), n));
-  const double largest = step.cwiseAbs().maxCoeff();
-  if (!std::isfinite(largest)) return std::nullopt;
-  if (largest > kMostStep) step *= kMostStep / largest;
+  std::vector<double> step(gradient_.size());
+  if (!damped_step(matrix_, gradient_, mu, kMostStep, step)) return std::nullopt;
   const KnotSpacings u(knots_.u), v(knots_.v);
   return InteriorKnots{u.moved(step.data(), kLeastSpan).knots(),
                        v.moved(step.data() + u.length.size(), kLeastSpan).knots()};

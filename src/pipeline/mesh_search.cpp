@@ -14,7 +14,7 @@ using Spans = std::pair<int, int>;
 
 constexpr double kGrow = 1.4, kStep = 1.05;  // of the product of the spans, coarse and fine
 constexpr double kNear = 2;                  // times the tolerance: what the last rounds may gain
-constexpr int kLastRounds = 6, kMinimaxRounds = 15;
+constexpr int kLastRounds = 6, kMinimaxRounds = 15, kKnotSteps = 4;
 constexpr long kMostRounds = 6000;
 constexpr double kBeyond =
     1.5;  // a size that holds but folds is passed by sizes up to this many times larger
@@ -28,12 +28,13 @@ class MeshSizes {
         tolerance_(tolerance),
         control_(control),
         watch_(control, "size search"),
-        moves_(options.method != "uniform"),
+        ways_(options.method == "uniform"       ? 0
+              : options.method == "error-model" ? 1
+                                                : 2),
         ratio_(std::clamp(options.span_ratio > 0 ? options.span_ratio : work.options().aspect, 0.2, 5.0)),
         most_(options.max_control_points > 0 ? options.max_control_points : work.data() / 2),
         most_rounds_(options.max_fits > 0 ? options.max_fits : kMostRounds),
         rounds_of_(work, options.degree_u, options.degree_v, tolerance, control, false),
-        // Half of a full correction's rounds, twice where the knots move between.
         rounds_(std::max(1, work.options().rounds * 2 / 5)) {}
 
   MeshSearch run() {
@@ -45,7 +46,7 @@ class MeshSizes {
                                                   : status_;
     found.tried = std::move(tried_);
     found.fits = rounds_of_.fits();
-    found.method = moves_ ? "error-model" : "uniform";
+    found.method = ways_ == 0 ? "uniform" : ways_ == 1 ? "error-model" : "optimal";
     return found;
   }
 
@@ -65,34 +66,39 @@ class MeshSizes {
   }
   bool interrupted() const { return watch_.over() || rounds_of_.fits() >= most_rounds_; }
 
-  /// The same for every tolerance. \param from  a smaller size; null: from the map
+  /// On uniform knots; the same for every tolerance. \param from  a smaller size; null: from the map
   State solve(const Spans& at, const State* from) {
-    State state{at, {}};
-    const int iu = at.first - 1, iv = at.second - 1;
-    InteriorKnots knots{uniform_knots(iu), uniform_knots(iv)};
-    if (from && from->rounds.surface) {
-      const Surface& s = *from->rounds.surface;
-      if (moves_) knots = knots_anew(s, iu, iv);
-      state.rounds = rounds_of_.correct(from->rounds.uv, knots, &s, rounds_);
-    } else {
-      state.rounds = rounds_of_.correct(work_.first(), knots, nullptr, rounds_);
-    }
-    if (moves_ && !watch_.over()) state.rounds = rounds_of_.with_knots_anew(std::move(state.rounds), rounds_);
-    return state;
+    const InteriorKnots knots{uniform_knots(at.first - 1), uniform_knots(at.second - 1)};
+    if (!from || !from->rounds.surface)
+      return {at, rounds_of_.correct(work_.first(), knots, nullptr, rounds_)};
+    return {at, rounds_of_.correct(from->rounds.uv, knots, &*from->rounds.surface, rounds_)};
   }
 
   bool meets(const Rounds& r) const { return r.surface && r.error <= tolerance_.value; }
 
-  /// The last rounds of a size, where the tolerance is near. \return true where it holds, verified
+  bool near(const Rounds& r) const {
+    return r.surface && r.error <= kNear * tolerance_.value && !interrupted();
+  }
+  /// Rounds for the tolerance itself. \return the better
+  Rounds polished(Rounds base) {
+    if (meets(base) || !near(base)) return base;
+    const Surface& s = *base.surface;
+    Rounds more =
+        rounds_of_.correct(base.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
+                           tolerance_.value, tolerance_.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
+    return MeshRounds::merit(more) < MeshRounds::merit(base) ? more : base;
+  }
+
+  /// What a size may still gain, where the tolerance is near: first on its knots, then on others as far as the method
+  /// moves them. \return true where it holds, verified
   bool settle(const State& state) {
-    State last = state;
-    if (!meets(state.rounds) && state.rounds.surface && state.rounds.error <= kNear * tolerance_.value) {
-      const Surface& s = *state.rounds.surface;
-      State more{state.spans,
-                 rounds_of_.correct(state.rounds.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s,
-                                    kLastRounds, tolerance_.value,
-                                    tolerance_.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds)};
-      if (more.merit() < last.merit()) last = std::move(more);
+    State last{state.spans, polished(state.rounds)};
+    Rounds moved = state.rounds;
+    for (int way = 0; way < ways_ && !meets(last.rounds) && near(state.rounds); ++way) {
+      moved = way == 0 ? rounds_of_.with_knots_anew(moved, rounds_)
+                       : rounds_of_.with_knots_moved(moved, kKnotSteps);
+      Rounds polish = polished(moved);
+      if (MeshRounds::merit(polish) < last.merit()) last.rounds = std::move(polish);
     }
     bool holds = false;
     if (meets(last.rounds)) {
@@ -162,7 +168,7 @@ class MeshSizes {
   Tolerance tolerance_;
   const Control& control_;
   correction::Watch watch_;
-  bool moves_;
+  int ways_;  ///< to move the knots
   double ratio_;
   Index most_;
   long most_rounds_;
@@ -190,9 +196,9 @@ MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOption
   if (options.method == "optimal") best = rounds.with_knots_moved(std::move(best), kSteps);
   if (options.tolerance && best.surface && best.error > tolerance.value) {
     const Surface& s = *best.surface;
-    Rounds last = rounds.correct(best.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
-                                 tolerance.value,
-                                 tolerance.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
+    Rounds last =
+        rounds.correct(best.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
+                       tolerance.value, tolerance.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
     if (MeshRounds::merit(last) < MeshRounds::merit(best)) best = std::move(last);
   }
   MeshSearch found;

@@ -39,6 +39,7 @@ Content prepare(const PictureInput& input, int most);
 inline constexpr Rgb kInk{0.12, 0.14, 0.18};       // text and lines
 inline constexpr Rgb kQuiet{0.40, 0.43, 0.48};     // secondary text
 inline constexpr Rgb kMaterial{0.80, 0.82, 0.85};  // a surface without a colour of its own
+inline constexpr Rgb kFold{0.78, 0.05, 0.55};      // where the surface folds
 inline constexpr Rgb kNoData{0.72, 0.72, 0.73};    // where no data is near
 
 }  // namespace knotfit::report

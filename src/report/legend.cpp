@@ -11,7 +11,7 @@
 namespace knotfit::report {
 namespace {
 
-enum class Mark { knots, worst, thin, gap };
+enum class Mark { knots, worst, thin, gap, fold };
 struct Entry {
   Mark mark;
   std::string text;
@@ -25,6 +25,7 @@ std::vector<Entry> entries(const Content& c) {
   std::vector<Entry> out{{Mark::knots, "knot lines"}};
   if (c.worst >= 0 && c.max > 0) out.push_back({Mark::worst, "worst point"});
   if (!c.thin.empty()) out.push_back({Mark::thin, "data too thin to promise anything"});
+  if (!c.input->fold_places.empty()) out.push_back({Mark::fold, "folds over the mesh"});
   if (c.gaps) out.push_back({Mark::gap, "no data"});
   return out;
 }
@@ -81,6 +82,9 @@ void draw_mark(Canvas& canvas, Mark mark, Vec2 at, double em) {
     }
     case Mark::worst:
       draw_worst_mark(canvas, {box.centre().x, at.y}, em);
+      break;
+    case Mark::fold:
+      draw_fold_mark(canvas, box.centre(), 0, em);
       break;
     case Mark::thin:
       hatch(1, 0.075 * em, {kInk, 0.85});

@@ -233,6 +233,9 @@ Box draw_parameter_plane(Canvas& canvas, const Content& content, const Box& pane
   }
   draw_knot_lines(canvas, content, plane, em);
   draw_thin(canvas, content, plane, em);
+  for (const FoldPlace& fold : content.input->fold_places)
+    draw_fold_mark(canvas, plane.at(fold.u, fold.v),
+                   std::sqrt(fold.share * b.width * b.height / std::numbers::pi), em);
   canvas.stroke(b, 1.2 * em / 17, {kInk, 0.85});
   if (content.worst >= 0 && content.max > 0)
     draw_worst_mark(canvas,

@@ -136,4 +136,9 @@ void draw_worst_mark(Canvas& canvas, Vec2 at, double em) {
   canvas.ring(at, 0.42 * em, 0.11 * em, {kInk});
 }
 
+void draw_fold_mark(Canvas& canvas, Vec2 at, double radius, double em) {
+  canvas.ring(at, std::max(radius, 0.3 * em), 0.26 * em, {{1, 1, 1}, 0.9});
+  canvas.ring(at, std::max(radius, 0.3 * em), 0.13 * em, {kFold});
+}
+
 }  // namespace knotfit::report

@@ -18,5 +18,7 @@ void draw_frame(Canvas& canvas, const SurfaceSamples& samples, const Camera& cam
 void draw_triad(Canvas& canvas, const Camera& camera, Vec2 at, double em);
 /// The ring that marks the worst point, here and in the parameter plane.
 void draw_worst_mark(Canvas& canvas, Vec2 at, double em);
+/// Where the surface folds. \param radius  at least that of a mark in the legend is drawn
+void draw_fold_mark(Canvas& canvas, Vec2 at, double radius, double em);
 
 }  // namespace knotfit::report
