@@ -23,8 +23,8 @@ struct MeshFit {
 ///   A tolerance: the correction is part of the size search. Each size begins with the surface and the parameters of
 /// the one before and takes 2/5 of the rounds; near the tolerance L_P weights lower the maximum or percentile, and
 /// knots move from uniform ones as far as the method asks: error-model, or with any other both that and steps on the
-/// distances. Routes, effort and
-/// automatic degrees of FitOptions do not count.
+/// distances. At most 5 000 control points unless FitOptions says otherwise. Routes, effort and automatic degrees of
+/// FitOptions do not count.
 /// \throws InvalidInput  see fit_surface(), correct_parameters(); neither a tolerance nor a size nor knots are given
 MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,
                  const CorrectionOptions& correction = {}, const Control& control = {});

@@ -16,6 +16,7 @@ constexpr double kGrow = 1.4, kStep = 1.05;  // of the product of the spans, coa
 constexpr double kNear = 2;                  // times the tolerance: what the last rounds may gain
 constexpr int kLastRounds = 6, kMinimaxRounds = 15, kKnotSteps = 4;
 constexpr long kMostRounds = 6000;
+constexpr Index kMostControlPoints = 5000;  // by default: the system's factor grows with the square
 constexpr double kBeyond =
     1.5;  // a size that holds but folds is passed by sizes up to this many times larger
 
@@ -32,7 +33,8 @@ class MeshSizes {
               : options.method == "error-model" ? 1
                                                 : 2),
         ratio_(std::clamp(options.span_ratio > 0 ? options.span_ratio : work.options().aspect, 0.2, 5.0)),
-        most_(options.max_control_points > 0 ? options.max_control_points : work.data() / 2),
+        most_(options.max_control_points > 0 ? options.max_control_points
+                                             : std::min(work.data() / 2, kMostControlPoints)),
         most_rounds_(options.max_fits > 0 ? options.max_fits : kMostRounds),
         rounds_of_(work, options.degree_u, options.degree_v, tolerance, control, false),
         rounds_(std::max(1, work.options().rounds * 2 / 5)) {}
@@ -132,7 +134,8 @@ class MeshSizes {
       const Spans at = spans(product);
       if (last && at == last->spans) continue;
       if (size(at) > most_ && last) {
-        status_ = options_.max_control_points > 0 ? Status::limit_reached : Status::data_too_sparse;
+        status_ = options_.max_control_points > 0 || most_ == kMostControlPoints ? Status::limit_reached
+                                                                                 : Status::data_too_sparse;
         break;
       }
       if (last && interrupted()) {
