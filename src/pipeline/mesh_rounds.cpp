@@ -1,6 +1,7 @@
 #include "pipeline/mesh_rounds.h"
 
 #include <cmath>
+#include <utility>
 
 #include "pipeline/mesh_knots.h"
 namespace knotfit {
@@ -20,6 +21,13 @@ MeshRounds::MeshRounds(const correction::CorrectionWork& work, int degree_u, int
 
 double MeshRounds::merit(const Rounds& r) {
   return r.surface ? r.error * (1 + 20 * r.folded) : INFINITY;
+}
+
+Rounds MeshRounds::after(Rounds earlier, Rounds later) {
+  later.best += static_cast<Index>(earlier.rounds.size());
+  earlier.rounds.insert(earlier.rounds.end(), later.rounds.begin(), later.rounds.end());
+  later.rounds = std::move(earlier.rounds);
+  return later;
 }
 
 Rounds MeshRounds::run(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
@@ -46,7 +54,7 @@ Rounds MeshRounds::with_knots_anew(Rounds base, int rounds) const {
   const InteriorKnots knots = knots_anew(s, static_cast<int>(s.knots_u().interior().size()),
                                          static_cast<int>(s.knots_v().interior().size()));
   Rounds next = correct(base.uv, knots, &s, rounds);
-  return merit(next) < merit(base) ? std::move(next) : std::move(base);
+  return merit(next) < merit(base) ? after(std::move(base), std::move(next)) : std::move(base);
 }
 
 Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
@@ -69,7 +77,7 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
       if (knots) {
         Rounds next = run(now.uv, *knots, &*now.surface, kRoundsAStep, by_rms, 0);
         accepted = merit(next) < merit(now) * (1 - 1e-3);
-        if (accepted) now = std::move(next);
+        if (accepted) now = after(std::move(now), std::move(next));
       }
       mu *= accepted ? 0.3 : 6;
     }
@@ -78,7 +86,8 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
   }
   if (!moved || !now.surface) return base;
   Rounds judged = correct(now.uv, knots_of(*now.surface), &*now.surface, 1);
-  return merit(judged) < merit(base) ? std::move(judged) : std::move(base);
+  if (!(merit(judged) < merit(base))) return base;
+  return after(std::move(base), after(std::move(now), std::move(judged)));
 }
 
 }  // namespace knotfit

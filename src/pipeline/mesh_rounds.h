@@ -23,6 +23,8 @@ class MeshRounds {
   /// Levenberg-Marquardt steps of the knots on the distances, each with rounds of its own; the RMS falls.
   correction::Rounds with_knots_moved(correction::Rounds base, int steps) const;
 
+  /// The later one, its rounds counted after the earlier one's.
+  static correction::Rounds after(correction::Rounds earlier, correction::Rounds later);
   /// Error times 1 + 20 folded share; infinite without a surface.
   static double merit(const correction::Rounds& r);
   long fits() const { return fits_; }

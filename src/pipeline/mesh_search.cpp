@@ -88,7 +88,9 @@ class MeshSizes {
     Rounds more =
         rounds_of_.correct(base.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
                            tolerance_.value, tolerance_.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
-    return MeshRounds::merit(more) < MeshRounds::merit(base) ? more : base;
+    return MeshRounds::merit(more) < MeshRounds::merit(base)
+               ? MeshRounds::after(std::move(base), std::move(more))
+               : base;
   }
 
   /// What a size may still gain, where the tolerance is near: first on its knots, then on others as far as the method
@@ -202,7 +204,8 @@ MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOption
     Rounds last =
         rounds.correct(best.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
                        tolerance.value, tolerance.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
-    if (MeshRounds::merit(last) < MeshRounds::merit(best)) best = std::move(last);
+    if (MeshRounds::merit(last) < MeshRounds::merit(best))
+      best = MeshRounds::after(std::move(best), std::move(last));
   }
   MeshSearch found;
   found.correction = work.finish(std::move(best), false, control);

@@ -144,7 +144,8 @@ class Bases(CloudTest):
         plain = self.run_json("fit", "points.csv", "--control-points", "6")
         self.assertIsNone(plain["correction"])
         corrected = self.run_json("fit", "points.csv", "--control-points", "6", "--correct", "10")
-        self.assertEqual((corrected["input"]["cloud"]["base"], corrected["correction"]["rounds"]), ("given", 10))
+        self.assertEqual(corrected["input"]["cloud"]["base"], "given")
+        self.assertGreaterEqual(corrected["correction"]["rounds"], 10)  # more where the knots move too
         # Its parameters are those the shape was made of: little is left to gain.
         self.assertLess(corrected["error"]["rms"], 1.1 * plain["error"]["rms"])
         anew = self.run_json("fit", "points.csv", "--control-points", "6", "--new-parameters")
@@ -167,7 +168,7 @@ class Rows(CloudTest):
         report = self.run_json("fit", "rows.txt", "--control-points", "6")
         self.assertIsNone(plain["correction"])
         self.assertEqual(report["input"]["points"], plain["input"]["points"])
-        self.assertEqual(report["correction"]["rounds"], 30)
+        self.assertGreaterEqual(report["correction"]["rounds"], 30)
         self.assertLess(report["error"]["rms"], plain["error"]["rms"])
 
 
