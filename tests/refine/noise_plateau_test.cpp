@@ -60,8 +60,8 @@ TEST(NoisePlateau, NeedsTwoInARow) {
 TEST(Status, NamesAreAllDifferent) {
   std::set<std::string_view> names;
   for (Status s : {Status::not_run, Status::fixed_size, Status::reached, Status::not_reached,
-                   Status::data_too_sparse, Status::tolerance_below_noise, Status::folded, Status::limit_reached,
-                   Status::time_limit, Status::stopped, Status::failed})
+                   Status::data_too_sparse, Status::tolerance_below_noise, Status::folded,
+                   Status::limit_reached, Status::time_limit, Status::stopped, Status::failed})
     EXPECT_TRUE(names.insert(to_string(s)).second) << to_string(s);
   EXPECT_FALSE(names.contains("unknown"));
   EXPECT_EQ(to_string(Status::data_too_sparse), "data_too_sparse");
