@@ -10,12 +10,18 @@ namespace knotfit::correction {
 
 /// The rounds keep the triangles of the holding mesh, whose edges are chains; those of the mesh itself have
 /// straight ones.
-/// \param first      parameters the correction began with
+/// \param from       parameters in which no triangle is turned over: those the correction began with, or untangled ones
 /// \param corrected  n x 2, of the last round
-/// \return foot points as near as no triangle that lay right in `first` allows
+/// \return foot points as near as no triangle that lies right in `from` allows
 std::vector<double> final_parameters(std::span<const std::array<std::int32_t, 3>> faces,
                                      const std::vector<Vec3>& position, std::span<const Slide> slide,
-                                     const std::vector<double>& first, std::vector<double> corrected,
+                                     std::vector<double> from, std::vector<double> corrected,
                                      const Surface& surface);
+
+/// Vertices of triangles that are turned over, and those around them, go towards the mean of their neighbours as far as the
+/// smallest of their triangles grows, so that none is turned over that was not.
+/// \return whether every triangle that lies right in `first` does in `uv`
+bool untangle(std::span<const std::array<std::int32_t, 3>> faces, std::span<const Slide> slide,
+              const std::vector<double>& first, std::vector<double>& uv);
 
 }  // namespace knotfit::correction

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "correct/final_parameters.h"
@@ -129,9 +130,9 @@ CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const C
   const std::vector<std::int32_t> measured = point_weights(holding_).vertex;
   if (measured.size() < 4 || data_ < 4)
     throw InvalidInput("fewer than 4 vertices are data: there is no surface to fit");
-  const std::vector<Slide> all = slides(holding_, options.slide, options.round_corners);
-  sliding_.assign(all.size(), Slide::fixed);  // in the middle of a hole
-  for (const std::int32_t k : measured) sliding_[k] = all[k];
+  untangling_ = slides(holding_, options.slide, options.round_corners);
+  sliding_.assign(untangling_.size(), Slide::fixed);  // in the middle of a hole
+  for (const std::int32_t k : measured) sliding_[k] = untangling_[k];
 }
 
 Rounds CorrectionWork::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
@@ -167,12 +168,29 @@ CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, cons
                   : rounds.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
                                                             : CorrectionStatus::corrected;
   result.surface = frame_.outside(*rounds.surface);
-  result.uv = from_first_fit && rounds.best == 0
-                  ? first_
-                  : final_parameters(mesh_.faces, frame_.inside(mesh_), sliding_, first_,
-                                     std::move(rounds.uv), *rounds.surface);
+  result.uv = first_;
+  if (!from_first_fit || rounds.best != 0) {
+    // From the rounds' own parameters, where hardly a triangle is turned over; from the map where that folds less.
+    const std::vector<Vec3> position = frame_.inside(mesh_);
+    auto ended_at = [&](std::vector<double> from) {
+      return final_parameters(mesh_.faces, position, sliding_, std::move(from), rounds.uv, *rounds.surface);
+    };
+    std::vector<double> near = rounds.uv;
+    untangle(mesh_.faces, untangling_, first_, near);
+    result.uv = ended_at(std::move(near));
+    result.folds = measure_folds(result.surface, mesh_, result.uv);
+    if (result.folds.flipped > 0) {
+      std::vector<double> other = ended_at(first_);
+      FoldReport folds = measure_folds(result.surface, mesh_, other);
+      if (folds.blurred <= result.folds.blurred) {
+        result.uv = std::move(other);
+        result.folds = std::move(folds);
+      }
+    }
+  } else {
+    result.folds = measure_folds(result.surface, mesh_, result.uv);
+  }
   measure(result, mesh_, data_, control);
-  result.folds = measure_folds(result.surface, mesh_, result.uv);
   return result;
 }
 

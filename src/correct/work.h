@@ -50,7 +50,8 @@ class CorrectionWork {
   CorrectionFrame frame_;
   HoldingMesh holding_;
   Index data_;
-  std::vector<Slide> sliding_;
+  std::vector<Slide> sliding_;     ///< of foot points: the middles of holes have none and stay
+  std::vector<Slide> untangling_;  ///< the middles of holes go with their triangles
 };
 
 }  // namespace knotfit::correction
