@@ -29,6 +29,9 @@ std::string stored_result(const FitReport& report);
 /// The summary on standard output.
 std::string report_to_text(const FitReport& report);
 
+/// Share of the points whose error is at most the tolerance.
+double share_within(const FitResult& result);
+
 /// The verdict in a few words, for a picture: "1% at every point: reached".
 std::string verdict(const FitReport& report);
 

@@ -40,7 +40,8 @@ Json tolerance_of(const FitReport& r) {
   return {{"value", number(r.result.tolerance)},
           {"asked", to_text(*r.choices.tolerance)},
           {"measure", kNames[static_cast<int>(measure.measure)]},
-          {"share", measure.share}};
+          {"share", measure.share},
+          {"within", number(share_within(r.result))}};
 }
 
 Json input_of(const FitReport& r) {

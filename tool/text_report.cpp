@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit_report.h"
@@ -66,6 +67,8 @@ std::string tolerance_line(const FitReport& r) {
     line += fmt::format(" = {:.3g} %", 100 * asked.value / r.result.diagonal);
   line += " " + measure_text(r.choices);
   line += r.result.reached ? ": reached" : fmt::format(": NOT reached ({:.4g})", r.result.measured);
+  if (const double share = share_within(r.result); share < 1)
+    line += fmt::format("; {:.4g} % of the points are within it", 100 * share);
   return line + "\n";
 }
 
@@ -108,6 +111,13 @@ std::string savings_line(const FitResult& r) {
 }
 
 }  // namespace
+
+double share_within(const FitResult& result) {
+  if (result.errors.empty()) return 0;
+  const auto within = std::count_if(result.errors.begin(), result.errors.end(),
+                                    [&](double e) { return e <= result.tolerance; });
+  return static_cast<double>(within) / static_cast<double>(result.errors.size());
+}
 
 std::string verdict(const FitReport& r) {
   if (!r.choices.tolerance) return "a fixed size";

@@ -26,6 +26,7 @@ class ExitStatus(ToolTest):
         report = self.run_json("fit", "points.csv", "--control-points", "4x4", "--tol", "0.001%", "-o", "s.json",
                                status=3)
         self.assertEqual((report["status"], report["reached"], report["size"]), ("not_reached", False, [4, 4]))
+        self.assertTrue(0 < report["tolerance"]["within"] < 1)
         self.assertEqual(report["outputs"], ["s.json"])
         self.assertEqual(self.load("s.json")["result"]["status"], "not_reached")
 
@@ -122,7 +123,8 @@ class Report(ToolTest):
         self.assertLessEqual(error["p95"], error["p99"])
         self.assertLessEqual(error["p99"], error["p995"])
         self.assertLessEqual(error["p995"], error["max"])
-        self.assertEqual(list(report["tolerance"]), ["value", "asked", "measure", "share"])
+        self.assertEqual(list(report["tolerance"]), ["value", "asked", "measure", "share", "within"])
+        self.assertEqual(report["tolerance"]["within"], 1)
         self.assertEqual(report["tolerance"]["asked"], "1%")
         self.assertEqual(report["tolerance"]["measure"], "max")
         self.assertEqual(report["outputs"], ["s.json", "s.csv"])
