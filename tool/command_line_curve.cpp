@@ -34,6 +34,10 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
       [&](const std::string& t) { c.max_control_points = parse_count(t, 1); });
   add(app, "--max-fits", "N", "Most linear fits of a search; default 100000", size,
       [&](const std::string& t) { c.max_fits = static_cast<long>(parse_count(t, 1)); });
+  add(app, "--time-limit", "S",
+      "Seconds after which a search tries no further size: the best so far is taken (status time_limit); "
+      "default: none",
+      size, [&](const std::string& t) { c.time_limit = parse_positive(t); });
   const std::string knots = "Knots";
   CLI::Option* method =
       add(app, "--knots", "METHOD", "How knots are placed (knotfit methods lists them); default optimal",
@@ -44,7 +48,10 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
       knots, [&](const std::string& t) { curve.knots = parse_knots(t); })
       ->excludes(method)
       ->excludes(points);
-  add(app, "--compare", "A,B,...", "A table of these methods, or of all, in place of one curve", knots,
+  add(app, "--compare", "A,B,...",
+      "A table of these methods, or of all, in place of one curve; criterion:MEASURE for a feature measure "
+      "(criterion:given: that of --feature-file)",
+      knots,
       [&](const std::string& t) {
         for (std::size_t begin = 0; begin <= t.size();) {
           const std::size_t end = std::min(t.find(',', begin), t.size());
@@ -55,6 +62,10 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
       ->excludes(method);
   add(app, "--feature", one_of(kFeatures), "Feature measure of methods that have one; default hessian", knots,
       [&](const std::string& t) { c.feature = parse_named(kFeatures, t); });
+  add(app, "--feature-file", "FILE",
+      "A feature measure of your own, in place of --feature: two columns, t from 0 to 1 (with --function: x) "
+      "and the measure, at least 0",
+      knots, [&](const std::string& t) { c.feature_file = t; });
   add_evaluations(app, c, knots);
   add(app, "--smoothing", "X", "Relative smoothing floor of the least squares; default 1e-12", knots,
       [&](const std::string& t) { c.smoothing = parse_not_negative(t); });

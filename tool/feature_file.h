@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "knotfit/curve_points.h"
 #include "knotfit/features.h"
 #include "knotfit/points.h"
 namespace knotfit::tool {
@@ -11,5 +12,8 @@ namespace knotfit::tool {
 /// \param map  of the data: its parameters are the file's x, y (or u, v)
 /// \throws FileError  unreadable, no such points, one that is negative (names its line), none inside
 FeatureMap read_feature_file(const std::string& path, const ParameterMap& map);
+
+/// The same along a curve: two columns, t (of a function its x) and the measure. \throws FileError  as above
+FeatureMap read_curve_feature_file(const std::string& path, const CurvePoints& curve);
 
 }  // namespace knotfit::tool

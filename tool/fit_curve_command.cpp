@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "curve_report.h"
 #include "exit_status.h"
+#include "feature_file.h"
 #include "knotfit/compare.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
@@ -66,6 +67,7 @@ CurvePoints read_points(const CurveArguments& arguments) {
 int compare(const CurveArguments& arguments, const CurvePoints& points, const CurveFitOptions& options,
             const Control& control, TerminalProgress& terminal) {
   CompareOptions named;
+  named.fit.user_features = options.user_features;
   named.methods = arguments.compare;
   named.sizes = {{4, 4}};
   std::vector<CurveRow> rows;
@@ -73,6 +75,8 @@ int compare(const CurveArguments& arguments, const CurvePoints& points, const Cu
     terminal.report({.stage = job.method});
     CurveFitOptions one = options;
     std::tie(one.method, one.feature) = split_method(job.method, options.feature);
+    // A measure that is named goes before one that is given for all.
+    if (job.method.find(':') != std::string::npos && !job.method.ends_with(":given")) one.user_features = {};
     CurveRow row;
     row.method = job.method;
     const auto start = std::chrono::steady_clock::now();
@@ -105,13 +109,16 @@ int run_fit_curve(const CurveArguments& arguments) {
     throw InvalidInput("--compare prints a table; outputs (-o) are of one curve");
   StopOnSignal stop;
   set_thread_count(arguments.threads);
-  TerminalProgress terminal(!arguments.quiet);
+  TerminalProgress terminal(!arguments.quiet, arguments.choices.time_limit.value_or(0));
   terminal.report({.stage = "read"});
   Control control;
   if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
   control.stop = stop.token();
+  control.time_limit = arguments.choices.time_limit.value_or(0);
   const CurvePoints points = read_points(arguments);
-  const CurveFitOptions options = curve_options(arguments);
+  CurveFitOptions options = curve_options(arguments);
+  if (arguments.choices.feature_file)
+    options.user_features = read_curve_feature_file(*arguments.choices.feature_file, points);
   if (!arguments.compare.empty()) return compare(arguments, points, options, control, terminal);
 
   CurveFitResult result;

@@ -28,7 +28,8 @@ struct CurveFitOptions {
   long max_fits = 0;             ///< 0: 100 000; one takes about 0.1 ms
   double smoothing = 1e-12;      ///< relative floor, as LeastSquaresOptions
   FeatureMeasure feature = FeatureMeasure::hessian;
-  long evaluations = 2000;  ///< of the error, in an evolutionary search
+  FeatureMap user_features;  ///< along t, the map's u; in place of `feature`; empty: none
+  long evaluations = 2000;   ///< of the error, in an evolutionary search
 };
 
 struct CurveSizeTried {
@@ -59,7 +60,8 @@ struct CurveFitResult {
   std::vector<std::string> notes;
 };
 
-/// Validates, centres and scales, places knots or searches sizes, corrects parameters, fits, rechecks. A closed curve
+/// Validates, centres and scales, places knots or searches sizes (none after Control::time_limit), corrects
+/// parameters, fits, rechecks. A closed curve
 /// is placed as one cut open at its first point, which becomes a knot; `optimal` then moves all knots of the period.
 /// \throws InvalidInput  see validate(), CurveFitOptions; names what to change
 CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& options,

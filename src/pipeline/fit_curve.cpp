@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -69,6 +70,7 @@ class CurveFitter {
         static_cast<int>(inside_.closed ? control_points - 1 : control_points - options_.degree - 1);
     place.smoothing = options_.smoothing;
     place.feature = options_.feature;
+    place.user_features = options_.user_features;
     place.evaluations = options_.evaluations;
     const Placement placed = place_curve_knots(options_.method, problem.points(), place, control_);
     fits_ += placed.fits;
@@ -146,15 +148,22 @@ Status search(CurveFitter& fitter, const CurveFitOptions& options, const Toleran
       nearest = std::move(fitted);
     return holds;
   };
-  const auto cut = [&] { return control.stop.stop_requested() ? Status::stopped : Status::limit_reached; };
-  const auto over = [&] { return control.stop.stop_requested() || fitter.fits() > budget; };
+  const auto start = std::chrono::steady_clock::now();
+  const auto late = [&] {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    return control.time_limit > 0 && taken.count() > control.time_limit;
+  };
+  const auto cut = [&](Status otherwise) {
+    return control.stop.stop_requested() ? Status::stopped : late() ? Status::time_limit : otherwise;
+  };
+  const auto over = [&] { return control.stop.stop_requested() || late() || fitter.fits() > budget; };
   Index n = fitter.least();
   for (;; n = std::min(most, n + std::max<Index>(1, n / 10))) {
     const bool holds = attempt(n);
     if (holds) break;
     if (over() || n == most) {
       best = std::move(nearest);
-      if (over()) return cut();
+      if (over()) return cut(Status::limit_reached);
       return options.max_control_points > 0 ? Status::limit_reached : Status::data_too_sparse;
     }
   }
@@ -170,7 +179,7 @@ Status search(CurveFitter& fitter, const CurveFitOptions& options, const Toleran
     else
       ++failed;
   }
-  return control.stop.stop_requested() ? Status::stopped : Status::reached;
+  return cut(Status::reached);
 }
 
 void check_options(const CurvePoints& points, const CurveFitOptions& o) {
@@ -179,6 +188,7 @@ void check_options(const CurvePoints& points, const CurveFitOptions& o) {
     throw InvalidInput(fmt::format("degree {}: it must be 1 to {}", o.degree, kMaxDegree));
   if (!(o.smoothing >= 0) || !std::isfinite(o.smoothing))
     throw InvalidInput("the smoothing floor must be finite and at least 0");
+  if (!o.user_features.empty()) validate(o.user_features);
   if (o.corrections < 0)
     throw InvalidInput(fmt::format("{} corrections: they may not be negative", o.corrections));
   if (points.function && o.corrections > 0)
@@ -250,6 +260,8 @@ std::string message_of(const CurveFitResult& r) {
                          r.tolerance);
     case Status::stopped:
       return "stopped; best so far " + what;
+    case Status::time_limit:
+      return "the time limit came; best so far " + what;
     case Status::failed:
       return "no curve: the normal equations of these knots cannot be solved";
     default:
@@ -331,10 +343,11 @@ CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& optio
   result.error = summarize_errors(result.errors, checked);
   result.measured = options.tolerance ? measured_error(result.errors, result.asked) : result.error.max;
   result.reached = options.tolerance && result.measured <= result.tolerance;
-  result.status = !options.tolerance || status == Status::stopped ? status
-                  : result.reached                                ? Status::reached
-                  : searched && status != Status::reached         ? status
-                                                                  : Status::not_reached;
+  const bool cut = status == Status::stopped || status == Status::time_limit;
+  result.status = !options.tolerance || cut               ? status
+                  : result.reached                        ? Status::reached
+                  : searched && status != Status::reached ? status
+                                                          : Status::not_reached;
   result.message = message_of(result);
   return result;
 }

@@ -74,6 +74,57 @@ class FitCurve(ToolTest):
         self.assertEqual(j["knots"], [0.2, 0.3, 0.5, 0.8])
         self.assertEqual(j["control_points"], 5)
 
+    def test_a_feature_measure_of_ones_own(self):
+        self.graph()
+        # All of it where x is near 24, where the curve itself is flat.
+        band = lambda x: 1.0 if abs(x - 24) < 2 else 0.01
+        self.write("band.csv", "x,f\n" + "".join(f"{10 + k / 10},{band(10 + k / 10)}\n" for k in range(201)))
+        ask = ["fit-curve", "graph.csv", "--function", "--control-points", "12", "--knots", "criterion"]
+        inside = lambda row: sum(abs(10 + 20 * t - 24) < 2 for t in row["knots"])
+        given, plain = self.run_json(*ask, "--feature-file", "band.csv"), self.run_json(*ask)
+        self.assertGreaterEqual(inside(given), 6)
+        self.assertLessEqual(inside(plain), 3)
+        # The same by t of a curve that is no function, and without a header.
+        self.write("line.csv", "x,y\n" + "".join(f"{k},{k / 2}\n" for k in range(101)))
+        self.write("t.csv", "".join(f"{k / 200} {band(10 + k / 10)}\n" for k in range(201)))
+        line = self.run_json("fit-curve", "line.csv", "--control-points", "12", "--knots", "criterion", "--feature-file",
+                             "t.csv")
+        for a, b in zip(given["knots"], line["knots"]):
+            self.assertAlmostEqual(a, b, delta=1e-12)
+        # A table: the measure given is one of its own, and a measure by name is not it.
+        table = ["fit-curve", "graph.csv", "--function", "--control-points", "12"]
+        rows = self.run_json(*table, "--compare", "criterion:given,criterion:hessian", "--feature-file", "band.csv")["rows"]
+        self.assertEqual(rows[0]["rms"], given["error"]["rms"])
+        self.assertEqual(rows[1]["rms"], plain["error"]["rms"])
+        names = [r["method"] for r in self.run_json(*table, "--compare", "all", "--feature-file", "band.csv",
+                                                    "--evaluations", "20")["rows"]]
+        self.assertIn("criterion:given", names)
+
+    def test_a_feature_measure_that_is_none(self):
+        self.graph()
+        ask = ["fit-curve", "graph.csv", "--function", "--control-points", "9"]
+        self.refused(*ask, "--compare", "criterion:given", words=["criterion:given", "needs a feature measure"])
+        self.refused(*ask, "--feature-file", "missing.csv", words=["missing.csv"])
+        self.write("f.csv", "x,f\n12,1\n13,-2\n")
+        self.refused(*ask, "--feature-file", "f.csv", words=["f.csv:3", "-2", "at least 0"])
+        self.write("f.csv", "x,f\n0.2,1\n")
+        self.refused(*ask, "--feature-file", "f.csv", words=["f.csv", "no value over the curve, x in [10, 30]"])
+        self.write("f.csv", "0.2,1,4\n")
+        self.refused(*ask, "--feature-file", "f.csv", words=["f.csv:1", "3 columns"])
+        self.refused(*ask, "--feature-file", SAMPLES / "face.obj", words=["face.obj", "two columns: x and the measure"])
+        self.circle()
+        self.refused("fit-curve", "circle.csv", "--feature-file", SAMPLES / "face.obj", words=["two columns: t, from 0"])
+
+    def test_a_time_limit_keeps_the_best_so_far(self):
+        self.graph()
+        ask = ["fit-curve", "graph.csv", "--function", "--tol", "1e-9", "--max-control-points", "190"]
+        j = self.run_json(*ask, "--time-limit", "1e-6", status=3)
+        self.assertEqual(j["status"], "time_limit")
+        self.assertEqual(len(j["tried"]), 1)
+        self.assertIn("time limit", j["message"])
+        self.assertGreater(j["control_points"], 0)
+        self.refused(*ask, "--time-limit", "0", words=["--time-limit"])
+
     def test_optimal_is_the_best_of_the_table(self):
         rows = self.run_json("fit-curve", SAMPLES / "blade_profile.csv", "--closed", "--control-points", "20",
                              "--compare", "all", "--evaluations", "300")["rows"]

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -183,6 +184,38 @@ TEST(FitCurve, StopsWithTheBestSoFar) {
   const CurveFitResult fit = fit_curve(loop(200), options, control);
   EXPECT_EQ(fit.status, Status::stopped);
   EXPECT_GT(fit.curve.size(), 0);
+}
+
+TEST(FitCurve, KeepsTheBestAtTheTimeLimit) {
+  Control control;
+  control.time_limit = 1e-9;  // the first size tried is the last
+  CurveFitOptions options;
+  options.tolerance = ToleranceRequest{.value = 1e-12};
+  const CurveFitResult cut = fit_curve(loop(100), options, control);
+  EXPECT_EQ(cut.status, Status::time_limit);
+  EXPECT_EQ(cut.tried.size(), 1u);
+  EXPECT_EQ(cut.control_points, 4);
+  EXPECT_FALSE(cut.reached);
+  EXPECT_NE(cut.message.find("time limit"), std::string::npos);
+}
+
+TEST(FitCurve, FollowsTheUsersFeatures) {
+  // The curve turns at 0.3; the measure is all between 0.7 and 0.8, and does not depend on the map's v.
+  const CurvePoints graph = function_points(300, [](double t) { return std::tanh(60 * (t - 0.3)); });
+  CurveFitOptions options;
+  options.method = "criterion";
+  options.control_points = 14;
+  for (Index columns : {1, 7}) {
+    FeatureMap map{20, columns, std::vector<double>(20 * columns, 1e-3)};
+    for (Index c = 14 * columns; c < 16 * columns; ++c) map.f[c] = 1;
+    options.user_features = map;
+    const CurveFitResult fit = fit_curve(graph, options);
+    EXPECT_GE(
+        std::count_if(fit.knots.begin(), fit.knots.end(), [](double t) { return t > 0.69 && t < 0.81; }), 8)
+        << columns;
+  }
+  options.user_features.f[3] = -1;
+  expect_throw<InvalidInput>([&] { fit_curve(graph, options); }, "the feature measure of cell (0, 3) is -1");
 }
 
 TEST(FitCurve, SaysWhereDataIsTooSparse) {

@@ -52,8 +52,8 @@ _knotfit() {
         --feature --feature-file --smoothing $input --height-field --spacing --rescale-parameters --duplicates --base
         $mesh $output --json --between --threads --quiet" ;;
     fit-curve)
-      options="--tol --within --rms --control-points --degree --max-control-points --max-fits --knots --knots-t
-        --compare --feature --evaluations --smoothing $input --closed --function --spacing --corrected $output
+      options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit --knots
+        --knots-t --compare --feature --feature-file --evaluations --smoothing $input --closed --function --spacing --corrected $output
         --unit --name --step-schema --json --threads --quiet" ;;
     parameterize) options="$mesh --map --lines --input-format $output --json --threads --quiet" ;;
     eval)
