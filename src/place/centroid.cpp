@@ -34,7 +34,8 @@ std::vector<double> centroids(const std::vector<double>& mass, int count) {
 
 }  // namespace
 
-/// Regions of equal accumulated feature, their centroids as knots. Steps, ours from that one line of description:
+/// Regions of equal accumulated feature, their centroids as knots: so, in one line and without a paper to name, later
+/// literature on feature-based knots describes the method it compares with. Steps, ours from that line:
 ///  1. the marginal of the feature measure in one direction;
 ///  2. as many regions as knots, each with the same share of it;
 ///  3. each knot at its region's centroid, weighted by the feature.

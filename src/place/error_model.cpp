@@ -187,6 +187,14 @@ InteriorKnots error_model_from(PlacementContext& context, const InteriorKnots& s
   return std::isfinite(result.error) ? result.best : start;
 }
 
+/// Equal shares of the error that the present fit predicts [deBoor01 XII, NEWNOT], carried to surfaces [METHOD 2.1]. For
+/// curves the book has steps 2 and 3; the norm across the other direction, the damping, the floor and both stages are
+/// ours:
+///  1. a fine net, 4 rounds from uniform knots, gives the densities that the knots start from;
+///  2. the m-th derivative of the fit jumps at its knots: the jump over the mean span estimates the (m+1)-st, in L2 over
+///     the other direction, and its power 2/(2m + 3) is the density;
+///  3. knots cut the density's integral into equal shares, half of the step is taken, and the surface is fitted again;
+///  4. the knots of least error of all rounds are kept.
 Placement place_error_model(PlacementContext& context, int interior_u, int interior_v) {
   const FineModel& fine = context.fine_model();
   InteriorKnots start{equal_shares(fine.breaks_u(), fine.mass_u, interior_u),

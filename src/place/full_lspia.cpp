@@ -82,7 +82,7 @@ std::vector<double> full_lspia(FitProblem& problem, InteriorKnots& knots, const 
     if (options.stop && options.stop()) break;
     Axes axes(problem, knots);
     // Control points: each moves by the residuals it feels over the sum of what it weighs, a step that never raises
-    // phi: the largest eigenvalue of D^-1 A^T W A is at most 1 [Deng & Lin 2014].
+    // phi: the largest eigenvalue of D^-1 A^T W A is at most 1 [Deng14].
     const Vector weight = net_row_sums(points, axes.u, axes.v);
     FreeNet at;
     double phi = history.back();

@@ -30,6 +30,7 @@ std::vector<double> nktp_knots(std::span<const double> t, int count, int degree)
   return averaged_knots(r, degree);
 }
 
+/// nktp_knots() of the lines of the rows, each direction apart; scattered points are resampled as rows (ours).
 Placement place_nktp(PlacementContext& context, int interior_u, int interior_v) {
   const RowGrid& grid = context.row_grid();
   Placement placement;

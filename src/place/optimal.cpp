@@ -22,8 +22,14 @@ double squared_values(const ParameterizedPoints& points) {
 
 }  // namespace
 
-/// Levenberg-Marquardt from three starts (two-stage error model, the error model iterated at the counts
-/// from uniform, equal marginal shares of the feature measure), relocation and ties from each; the least phi.
+/// Knots that minimise phi(U,V), the least-squares error with the control points eliminated: variable projection
+/// [Golub73] with Kaufman's Jacobian [Kaufman75], in logarithms of the spacings [Jupp78], by Levenberg-Marquardt with
+/// Nielsen's damping [Nielsen99]. Steps [METHOD 3]; the starts, 2 and 3 are ours:
+///  1. from three starts (two-stage error model, the error model iterated at the counts from uniform, equal marginal
+///     shares of the feature measure) to a local minimum each;
+///  2. from each, relocation: the knot of least loss dropped, one inserted where the gain is greatest, minimised again;
+///  3. ties: near pairs of knots become one of higher multiplicity where phi falls;
+///  4. the least phi of all.
 Placement place_optimal(PlacementContext& context, int interior_u, int interior_v) {
   FitProblem& problem = context.problem();
   std::vector<InteriorKnots> starts;

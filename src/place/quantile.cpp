@@ -23,7 +23,10 @@ std::vector<double> quantiles(const ParameterizedPoints& points, int axis, int c
 
 }  // namespace
 
-/// Knots that leave the same number of points in every strip: quantiles of the sorted parameters.
+/// Knots that leave the same number of points in every strip, the folklore for scattered data; steps ours:
+///  1. the parameters of one direction sorted, t_0 <= ... <= t_N, copies kept;
+///  2. knot i = 1..k at the quantile i/(k + 1), linear between t_j and t_{j+1} at i N/(k + 1) = j + a;
+///  3. no span below 1 % of the mean: copies of a parameter would draw several knots to one place.
 Placement place_quantile(PlacementContext& context, int interior_u, int interior_v) {
   const ParameterizedPoints& points = context.problem().points();
   return {.knots = {quantiles(points, 0, interior_u), quantiles(points, 1, interior_v)},
