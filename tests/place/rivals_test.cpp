@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "knotfit/fit_least_squares.h"
@@ -180,6 +181,17 @@ TEST(DerivativeShare, FollowsTheDerivativeOfTheOrder) {
     EXPECT_NEAR(knots[i], 4 / a * std::log(1 + (i + 1) / 9.0 * (std::exp(a / 4) - 1)), 0.01) << i;
 }
 
+TEST(DerivativeShare, IsUniformWhereTheDerivativeOfTheOrderIsConstant) {
+  // d^4 u^4 = 24 everywhere. Divided differences of fourth order over lines 1/60 apart lose 2^4 kEps 60^4 / 24 of it.
+  const ParameterizedPoints points =
+      grid_of(61, 5, [](double u, double v) { return (1 + v) * u * u * u * u; });
+  PlacementOptions options;
+  options.interior_v = 0;
+  options.degree_v = 1;
+  const std::vector<double> knots = place_knots("derivative-share", points, options).knots.u;
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(knots[i], (i + 1) / 9.0, 1e-8) << i;
+}
+
 TEST(DerivativeShare, IsUniformWhereTheDataIsAPolynomial) {
   const ParameterizedPoints points = grid_of(30, 30, [](double, double) { return 1.0; });
   EXPECT_EQ(place_knots("derivative-share", points).knots.u, uniform_knots(8));
@@ -204,6 +216,33 @@ TEST(Fitpack, PutsEachKnotAtTheMeanOfTheResiduals) {
   }
   ASSERT_EQ(placement.knots.u.size(), 1u);
   EXPECT_NEAR(placement.knots.u[0], moment / squares, 1e-9);
+}
+
+TEST(Fitpack, SplitsTheSpanOfTheLargestResidualSum) {
+  // Every knot is a knot of what came before, and stands in the span that the fit without it fits worst.
+  const ParameterizedPoints points = synthetic_points("ridge", 3000);
+  PlacementOptions options;
+  options.interior_v = 0;
+  options.interior_u = 1;
+  std::vector<double> before = place_knots("fitpack", points, options).knots.u;
+  for (int count = 2; count <= 6; ++count) {
+    options.interior_u = count;
+    const std::vector<double> after = place_knots("fitpack", points, options).knots.u;
+    std::vector<double> added;
+    std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(added));
+    ASSERT_EQ(added.size(), 1u) << count;
+    const LeastSquaresResult fit =
+        fit_least_squares(points, KnotVector::clamped(3, before), KnotVector::uniform(3, 0));
+    const std::vector<double> breaks = with_ends(before);
+    std::vector<double> squares(breaks.size() - 1, 0.0);
+    for (Index k = 0; k < points.size(); ++k)
+      for (std::size_t s = 0; s < squares.size(); ++s)
+        if (points.u(k) >= breaks[s] && points.u(k) < breaks[s + 1]) squares[s] += square(fit.errors[k]);
+    const auto worst = std::max_element(squares.begin(), squares.end()) - squares.begin();
+    EXPECT_GT(added[0], breaks[worst]) << count;
+    EXPECT_LT(added[0], breaks[worst + 1]) << count;
+    before = after;
+  }
 }
 
 TEST(Fitpack, GoesWhereTheErrorIs) {
