@@ -50,17 +50,19 @@ void draw_panel(Canvas& canvas, const Box& box, const ComparedSurface& compared,
   canvas.stroke(box, std::max(0.6, box.width / 300), {kInk, 0.9});
 }
 
-/// Columns that give the panels the most room on the page.
-int best_columns(std::size_t count, double width, double height) {
-  int best = 1;
-  double room = 0;
+/// Square panels with a heading each, in the columns that make them largest.
+struct PanelGrid {
+  int columns = 1;
+  double side = 0;
+};
+PanelGrid panel_grid(std::size_t count, const Box& room, double heading, double gap) {
+  PanelGrid best;
   for (int columns = 1; columns <= static_cast<int>(count); ++columns) {
     const double rows = std::ceil(static_cast<double>(count) / columns);
-    if (const double side = std::min(width / columns, height / rows); side > room) {
-      room = side;
-      best = columns;
-    }
+    const double side = std::min(room.width / columns - gap, room.height / rows - heading - gap);
+    if (side > best.side) best = {columns, side};
   }
+  best.side = std::max(4.0, best.side);
   return best;
 }
 
@@ -112,15 +114,22 @@ std::string draw_error_maps(const std::vector<ComparedSurface>& surfaces, const 
               {.size = 0.8 * em, .paint = {kQuiet}, .vertical = Align::end});
   canvas.text({bar.right(), bar.bottom() + 0.4 * em}, number_text(range) + " and more",
               {.size = 0.8 * em, .paint = {kQuiet}, .horizontal = Align::end, .vertical = Align::end});
+  const double beside = bar.right() + 1.2 * em;
+  const auto hint = [&](const char* text, double y) {
+    canvas.text({beside, y}, canvas.shortened(text, w - beside - 1.2 * em, 0.8 * em),
+                {.size = 0.8 * em, .paint = {kQuiet}, .vertical = Align::middle});
+  };
+  hint("largest error of the points there; lines: knots", bar.centre().y);
+  hint("u to the right, v upwards", bar.bottom() + 0.9 * em);
 
   const Box room{em, 6 * em, w - 2 * em, h - 7 * em};
-  const int columns = best_columns(surfaces.size(), room.width, room.height);
-  const double rows = std::ceil(static_cast<double>(surfaces.size()) / columns);
-  const double cell_w = room.width / columns, cell_h = room.height / rows, label = 2.5 * em;
-  const double side = std::max(4.0, std::min(cell_w - em, cell_h - label - 0.8 * em));
+  const double label = 2.5 * em, gap = 0.8 * em;
+  const auto [columns, side] = panel_grid(surfaces.size(), room, label, gap);
+  // No wider apart than they are wide: headings stand nearer to their own panel than to the next.
+  const double across = std::min(room.width / columns, 1.25 * side + gap), left = 1.2 * em;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
-    const double x = room.x + cell_w * static_cast<double>(k % columns) + (cell_w - side) / 2;
-    const double y = room.y + cell_h * static_cast<double>(k / columns);
+    const double x = left + across * static_cast<double>(k % columns);
+    const double y = room.y + (side + label + gap) * static_cast<double>(k / columns);
     canvas.text({x, y + em}, canvas.shortened(surfaces[k].name, side, 0.95 * em, true),
                 {.size = 0.95 * em, .bold = true, .paint = {kInk}});
     canvas.text({x, y + 2.1 * em}, canvas.shortened(surfaces[k].remark, side, 0.8 * em),

@@ -59,19 +59,6 @@ struct Range {
   double share(double x) const { return (std::log10(x) - low) / (high - low); }
 };
 
-/// Ticks of a logarithmic axis: 1, 2, 5 times powers of ten, or the powers alone.
-std::vector<double> log_ticks(const Range& range) {
-  std::vector<double> ticks;
-  const bool fine = range.high - range.low < 2.5;
-  for (int e = static_cast<int>(std::floor(range.low)); e <= static_cast<int>(std::ceil(range.high)); ++e)
-    for (double digit : {1.0, 2.0, 5.0}) {
-      const double x = digit * std::pow(10.0, e);
-      if ((digit == 1 || fine) && std::log10(x) >= range.low && std::log10(x) <= range.high)
-        ticks.push_back(x);
-    }
-  return ticks;
-}
-
 }  // namespace
 
 std::string draw_error_plot(const std::vector<ErrorSeries>& series, const std::string& title,
@@ -121,13 +108,13 @@ std::string draw_error_plot(const std::vector<ErrorSeries>& series, const std::s
     return Vec2{box.x + across.share(count) * box.width, box.bottom() - up.share(error) * box.height};
   };
   std::vector<Vec2> grid;
-  for (double x : log_ticks(across)) {
+  for (double x : make_log_ticks(across.low, across.high)) {
     const double px = box.x + across.share(x) * box.width;
     grid.insert(grid.end(), {{px, box.y}, {px, box.bottom()}});
     canvas.text({px, box.bottom() + 0.5 * em}, short_number_text(x),
                 {.size = 0.85 * em, .paint = {kQuiet}, .horizontal = Align::middle, .vertical = Align::end});
   }
-  for (double y : log_ticks(up)) {
+  for (double y : make_log_ticks(up.low, up.high)) {
     const double py = box.bottom() - up.share(y) * box.height;
     grid.insert(grid.end(), {{box.x, py}, {box.right(), py}});
     canvas.text({box.x - 0.5 * em, py}, short_number_text(y),

@@ -126,4 +126,21 @@ std::string Ticks::name(const std::string& quantity, const std::string& unit) co
   return out;
 }
 
+std::vector<double> make_log_ticks(double low, double high) {
+  static constexpr double kDigits[] = {1, 2, 5, 1.2, 1.5, 2.5, 3, 4, 6, 8};
+  const double decades = high - low;
+  const int digits = decades < 0.8 ? 10 : decades < 2.5 ? 3 : 1;
+  const int step = std::max(1, static_cast<int>(std::ceil(decades / 15)));
+  std::vector<double> ticks;
+  for (int e = static_cast<int>(std::floor(low)); e <= static_cast<int>(std::ceil(high)); ++e) {
+    if (e % step != 0) continue;
+    for (int k = 0; k < digits; ++k) {
+      const double x = kDigits[k] * std::pow(10.0, e);
+      if (std::log10(x) >= low && std::log10(x) <= high) ticks.push_back(x);
+    }
+  }
+  std::sort(ticks.begin(), ticks.end());
+  return ticks;
+}
+
 }  // namespace knotfit::report

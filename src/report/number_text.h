@@ -27,5 +27,8 @@ struct Ticks {
 /// Round values (1, 2, 2.5 or 5 times a power of ten apart), at most `most` of them; one tick where
 /// low = high.
 Ticks make_ticks(double low, double high, int most);
+/// Of a logarithmic axis from 10^low to 10^high, at least a factor of 2 apart: powers of ten, on shorter axes with 2 and
+/// 5 times them, on the shortest with more. Two at least, 16 at most.
+std::vector<double> make_log_ticks(double low, double high);
 
 }  // namespace knotfit::report

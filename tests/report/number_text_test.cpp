@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 namespace knotfit::report {
@@ -46,6 +47,20 @@ TEST(Ticks, AreRoundInsideAndNotTooMany) {
         EXPECT_EQ(std::set<std::string>(t.text.begin(), t.text.end()).size(), t.text.size())
             << "two ticks read alike at " << low << " + " << width;
       }
+}
+
+TEST(LogTicks, AreTwoAtLeastInsideAndNotTooMany) {
+  for (double low = -12; low < 3; low += 0.037)
+    for (double decades : {0.31, 0.5, 0.79, 0.81, 1.7, 2.49, 2.51, 7.0, 40.0}) {
+      const std::vector<double> ticks = make_log_ticks(low, low + decades);
+      EXPECT_GE(ticks.size(), 2u) << low << " + " << decades;
+      EXPECT_LE(ticks.size(), 16u) << low << " + " << decades;
+      EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end()));
+      for (double x : ticks) {
+        EXPECT_GE(std::log10(x), low);
+        EXPECT_LE(std::log10(x), low + decades);
+      }
+    }
 }
 
 TEST(Ticks, TakeOutAPowerOfTen) {
