@@ -31,7 +31,8 @@ struct CompareRow {
 };
 
 /// The jobs in the order they are run: sizes first, then tolerances, each by every method.
-/// \throws InvalidInput  an unknown method or measure (lists those there are), neither a size nor a tolerance
+/// \throws InvalidInput  an unknown method or measure (lists those there are), neither a size nor a tolerance, a size
+/// that the degrees do not allow
 std::vector<CompareRow> comparison_rows(const CompareOptions& options);
 
 /// Runs them one after another; `done` hears of each row as it ends, so that what is there when the caller stops is

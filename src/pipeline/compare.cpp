@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "knotfit/errors.h"
+#include "pipeline/requirements.h"
 namespace knotfit {
 namespace {
 
@@ -76,6 +77,7 @@ std::vector<CompareRow> comparison_rows(const CompareOptions& options) {
     throw InvalidInput("a comparison needs sizes or tolerances");
   const std::vector<std::string> methods = wanted_methods(options);
   if (methods.empty()) throw InvalidInput("a comparison needs methods");
+  for (const auto& [u, v] : options.sizes) check_least_size(u, v, options.fit.degree_u, options.fit.degree_v);
   std::vector<CompareRow> rows;
   for (const auto& [u, v] : options.sizes)
     for (const std::string& method : methods) {

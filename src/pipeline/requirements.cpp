@@ -89,9 +89,7 @@ void check_size(const ParameterizedPoints& points, const FitOptions& o) {
   } else if (size_u == 0 && size_v == 0) {
     return;
   }
-  if (size_u < o.degree_u + 1 || size_v < o.degree_v + 1)
-    throw InvalidInput(fmt::format("{} x {} control points: degree {}x{} needs at least {} x {}", size_u,
-                                   size_v, o.degree_u, o.degree_v, o.degree_u + 1, o.degree_v + 1));
+  check_least_size(size_u, size_v, o.degree_u, o.degree_v);
   if (n < size_u * size_v)
     throw InvalidInput(
         fmt::format("{} points are fewer than {} x {} = {} control points; ask for fewer control points "
@@ -100,6 +98,12 @@ void check_size(const ParameterizedPoints& points, const FitOptions& o) {
 }
 
 }  // namespace
+
+void check_least_size(Index size_u, Index size_v, int degree_u, int degree_v) {
+  if (size_u < degree_u + 1 || size_v < degree_v + 1)
+    throw InvalidInput(fmt::format("{} x {} control points: degree {}x{} needs at least {} x {}", size_u,
+                                   size_v, degree_u, degree_v, degree_u + 1, degree_v + 1));
+}
 
 void check_requirements(const ParameterizedPoints& points, const FitOptions& options) {
   validate(points);

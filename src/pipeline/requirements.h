@@ -10,6 +10,9 @@ namespace knotfit {
 ///   than the control points; degrees out of range
 void check_requirements(const ParameterizedPoints& points, const FitOptions& options);
 
+/// \throws InvalidInput  fewer control points than one patch of these degrees has
+void check_least_size(Index size_u, Index size_v, int degree_u, int degree_v);
+
 /// The tolerance asked for, absolute. \param rounding  half an ulp of the largest coordinate
 /// \throws InvalidInput  not positive, below rounding, relative to a range of nothing
 Tolerance absolute_tolerance(const ToleranceRequest& request, const ParameterizedPoints& points,

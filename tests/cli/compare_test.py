@@ -127,6 +127,8 @@ class Compare(ToolTest):
         self.refused("compare", "points.csv", "--sizes", "5", "--methods", "best", words=["no placement method 'best'", "nktp"])
         self.refused("compare", "points.csv", "--sizes", "5", "--methods", "criterion:colour", words=["feature measure 'colour'"])
         self.refused("compare", "points.csv", "--sizes", "5y5", words=["--sizes", "5y5"])
+        self.refused("compare", "points.csv", "--sizes", "5x5,3x9", words=["3 x 9", "degree 3x3 needs at least 4 x 4"])
+        self.refused("compare", "missing.csv", "--sizes", "5x5", "--degree", "3x5", words=["needs at least 4 x 6"])
         self.refused("compare", "points.csv", "--sizes", "5", "-o", "points.csv", words=["points.csv", "folder"])
         self.refused("compare", "points.csv", "--sizes", "5", "-o", "a/b", words=["a/b", "folder"])
         self.refused("compare", "missing.csv", "--sizes", "5", words=["missing.csv"])

@@ -84,6 +84,11 @@ TEST(Compare, RefusesWhatIsNotThere) {
   expect_throw<InvalidInput>([&] { comparison_rows(options); }, "no feature measure 'colour'");
   options.methods = {};
   expect_throw<InvalidInput>([&] { comparison_rows(options); }, "needs methods");
+  options.methods = {"all"};
+  options.sizes = {{5, 5}, {6, 5}};
+  options.fit.degree_v = 5;
+  expect_throw<InvalidInput>([&] { comparison_rows(options); },
+                             "5 x 5 control points: degree 3x5 needs at least 4 x 6");
 }
 
 }  // namespace
