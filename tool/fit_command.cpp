@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -294,10 +293,7 @@ int run_fit(const FitArguments& arguments) {
   }
 
   // A map of a mesh took its share of the time.
-  if (control.time_limit > 0 && input.mesh)
-    control.time_limit =
-        std::max(1e-3, control.time_limit -
-                           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  if (input.mesh) control = time_left(control, start);
   const int rounds = correction_rounds(choices, input);
   FitResult result;
   MeshFit corrected;

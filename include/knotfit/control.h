@@ -1,5 +1,6 @@
 // Progress and stop: what a caller hands to long work.
 #pragma once
+#include <chrono>
 #include <functional>
 #include <stop_token>
 #include <string_view>
@@ -23,5 +24,12 @@ struct Control {
   /// 0: no limit, so that a result does not depend on the machine.
   double time_limit = 0;
 };
+
+/// The control for what remains of work begun at `start`: its limit is what is left of the time, and a millisecond
+/// where none is, since 0 would be no limit.
+Control time_left(const Control& control, std::chrono::steady_clock::time_point start);
+
+/// Whether the time limit of work begun at `start` is over; without one it never is.
+bool out_of_time(const Control& control, std::chrono::steady_clock::time_point start);
 
 }  // namespace knotfit

@@ -15,12 +15,7 @@ class Watch {
     if (control_.progress) control_.progress({.stage = stage_, .fraction = fraction, .error = error});
     return over();
   }
-  bool over() const {
-    return control_.stop.stop_requested() || (control_.time_limit > 0 && seconds() > control_.time_limit);
-  }
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  bool over() const { return control_.stop.stop_requested() || out_of_time(control_, start_); }
 
  private:
   const Control& control_;

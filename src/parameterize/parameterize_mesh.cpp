@@ -89,14 +89,9 @@ MeshMap parameterize_mesh(const Mesh& mesh, const MeshMapOptions& options, const
                     disk.loop.size()));
   const Choices choices = choices_of(options, disk);
 
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   mesh_map::Watch watch;
-  watch.stop = [&] {
-    return control.stop.stop_requested() ||
-           (control.time_limit > 0 &&
-            std::chrono::duration<double>(Clock::now() - start).count() > control.time_limit);
-  };
+  watch.stop = [&] { return control.stop.stop_requested() || out_of_time(control, start); };
   watch.report = [&](double fraction) {
     if (control.progress) control.progress({.stage = "map", .fraction = fraction});
   };

@@ -98,16 +98,11 @@ class Degrees {
     const bool fixed = options.control_points_u > 0;
     if (patch > inside_.size() || control_.stop.stop_requested()) return;
     if (fixed && (options.control_points_u <= degree_u || options.control_points_v <= degree_v)) return;
-    Control rest = control_;
-    if (control_.time_limit > 0) {
-      rest.time_limit = control_.time_limit - std::chrono::duration<double>(Clock::now() - start_).count();
-      if (rest.time_limit <= 0 && best_) return;
-      rest.time_limit = std::max(rest.time_limit, 1e-3);
-    }
+    if (best_ && out_of_time(control_, start_)) return;
     // A larger surface than the best so far is of no use.
     if (!fixed && best_ && best_->status == Status::reached) options.max_control_points = size_of(*best_);
     if (options.max_control_points > 0 && options.max_control_points < patch) return;
-    Chosen chosen = choose_at_degree(inside_, options, tolerance_, noise_, rest);
+    Chosen chosen = choose_at_degree(inside_, options, tolerance_, noise_, time_left(control_, start_));
     if (fixed) {
       LeastSquaresOptions fit;
       fit.smoothing = options.smoothing;
@@ -132,13 +127,12 @@ class Degrees {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   const ParameterizedPoints& inside_;
   const FitOptions& options_;
   const Tolerance& tolerance_;
   double noise_;
   const Control& control_;
-  Clock::time_point start_ = Clock::now();
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<Chosen> best_;
   long fits_ = 0;
   std::string tried_;

@@ -76,12 +76,8 @@ bool correct_placed(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const Fi
   fit.points = mesh_points(mesh, map.uv);
   const FitResult& r = fit.result;
   if (r.surface.empty() || r.status == Status::failed) return false;
-  Control rest = control;
-  if (control.time_limit > 0)
-    rest.time_limit =
-        std::max(1e-3, control.time_limit -
-                           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  fit.correction = correct_parameters(mesh, map, r.surface.knots_u(), r.surface.knots_v(), how, rest);
+  fit.correction =
+      correct_parameters(mesh, map, r.surface.knots_u(), r.surface.knots_v(), how, time_left(control, start));
   return true;
 }
 

@@ -16,10 +16,6 @@
 namespace knotfit {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// The surface of the knots chosen: their least squares, with the refinement step that takes the smoothing
 /// floor's share out, or the control points the search found. The problem holds it.
 bool fit_chosen(FitProblem& problem, const Chosen& chosen, const Tolerance& tolerance) {
@@ -140,9 +136,8 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
     const double noise = estimate_noise(inside);
     if (noise > 0.02 * tolerance.value) result.noise = noise * frame.scale();
   }
-  Control rest = control;
-  if (control.time_limit > 0) rest.time_limit = std::max(1e-3, control.time_limit - seconds_since(start));
-  Chosen chosen = choose_knots(inside, options, tolerance, result.noise / frame.scale(), rest);
+  Chosen chosen =
+      choose_knots(inside, options, tolerance, result.noise / frame.scale(), time_left(control, start));
 
   LeastSquaresOptions fit;
   fit.smoothing = options.smoothing;

@@ -105,13 +105,7 @@ void Attempts::list(Index functions_u, Index functions_v, double error) {
 }
 
 bool Attempts::stopped() const {
-  if (control_.stop.stop_requested()) return true;
-  if (!(control_.time_limit > 0)) return false;
-  return seconds() > control_.time_limit;
-}
-
-double Attempts::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  return control_.stop.stop_requested() || out_of_time(control_, start_);
 }
 
 bool Attempts::interrupted() {

@@ -28,7 +28,7 @@ class Attempts {
   bool interrupted();
   /// Stopped or out of time; cheap, for inner loops.
   bool stopped() const;
-  double seconds() const;  ///< since the search began
+  Control time_left() const { return knotfit::time_left(control_, start_); }
   Status interruption() const { return interruption_; }
   void set_stage(std::string_view stage) { stage_ = stage; }
 

@@ -31,13 +31,8 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
   result.notes.push_back(reason + "; the knots come from the error model");
   const bool failed = result.status == Status::limit_reached || result.status == Status::data_too_sparse;
   if (!failed || !can_optimise_insertion(data.points())) return result;
-  Control rest = control;
-  if (control.time_limit > 0) {
-    rest.time_limit =
-        control.time_limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (rest.time_limit <= 0) return result;
-  }
-  RefineResult inserted = insert_isolines(data, options, rest);
+  if (out_of_time(control, start)) return result;
+  RefineResult inserted = insert_isolines(data, options, time_left(control, start));
   if (inserted.status != Status::reached) return result;
   inserted.method = options.method;
   inserted.fits += result.fits;
@@ -105,9 +100,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     attempts.count(*inserted);
     RefineOptions quick = options;
     quick.max_fits = kFits[0];
-    Control rest = control;
-    if (control.time_limit > 0) rest.time_limit = std::max(1e-3, control.time_limit - attempts.seconds());
-    const RefineResult found = insert_isolines(*inserted, quick, rest);
+    const RefineResult found = insert_isolines(*inserted, quick, attempts.time_left());
     if (found.status == Status::reached) first = solver.seed(found.knots);
   }
   const Status unmet = search_sizes(data, fine, solver, attempts, plateau, first);

@@ -27,12 +27,7 @@ constexpr int kClimbRounds = 6;
 class Watch {
  public:
   Watch(const Control& control, Index places) : control_(control), places_(places) {}
-  bool over() const {
-    if (control_.stop.stop_requested()) return true;
-    return control_.time_limit > 0 &&
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
-               control_.time_limit;
-  }
+  bool over() const { return control_.stop.stop_requested() || out_of_time(control_, start_); }
   void report(Index done, double tolerance) const {
     if (!control_.progress) return;
     Progress progress;
