@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "data/thinned.h"
 #include "fit/problem.h"
 #include "knotfit/errors.h"
 #include "pipeline/frame.h"
@@ -28,8 +29,7 @@ void check_height_field(const ParameterizedPoints& points) {
 class ShearError {
  public:
   ShearError(const ParameterizedPoints& points, const FitOptions& options) : smoothing_(options.smoothing) {
-    const ParameterizedPoints inside = Frame(points).inside(points);
-    points_ = every_nth(inside, (points.size() + kPoints - 1) / kPoints);
+    points_ = thinned(Frame(points).inside(points), kPoints);
     placement_.degree_u = options.degree_u;
     placement_.degree_v = options.degree_v;
     placement_.smoothing = options.smoothing;
@@ -48,16 +48,6 @@ class ShearError {
   }
 
  private:
-  static ParameterizedPoints every_nth(const ParameterizedPoints& points, Index n) {
-    ParameterizedPoints few;
-    few.height_field = true;
-    for (Index k = 0; k < points.size(); k += n) {
-      few.uv.insert(few.uv.end(), {points.u(k), points.v(k)});
-      few.values.push_back(points.value(k)[0]);
-      if (!points.weights.empty()) few.weights.push_back(points.weights[k]);
-    }
-    return few;
-  }
   double smoothing_;
   ParameterizedPoints points_;
   PlacementOptions placement_;
@@ -125,40 +115,32 @@ ShearedFit fit_sheared(const ParameterizedPoints& points, const FitOptions& opti
                        std::optional<Shear> shear, const Control& control) {
   check_height_field(points);
   const auto start = std::chrono::steady_clock::now();
-  auto rest = [&] {
-    Control c = control;
-    if (control.time_limit > 0)
-      c.time_limit =
-          std::max(1e-3, control.time_limit -
-                             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    return c;
-  };
-  const bool found = !shear;
-  if (found) shear = find_shear(points, options, control);
-  ShearedFit plain{fit_surface(points, options, rest()), points};
-  const bool fixed = options.knots || options.control_points_u > 0;
+  const bool given = shear.has_value();
+  if (!given) shear = find_shear(points, options, control);
+  ShearedFit plain{fit_surface(points, options, time_left(control, start)), points};
   if (shear->u == 0 && shear->v == 0) {
-    plain.result.notes.push_back(
-        "no oblique parameters tried: none lowers the error of the error model's knots by a tenth");
+    if (!given)
+      plain.result.notes.push_back(
+          "no oblique parameters tried: none lowers the error of the error model's knots by a tenth");
     return plain;
   }
   ShearedFit oblique{{}, sheared(points, shear->u, shear->v)};
-  oblique.result = fit_surface(oblique.points, options, rest());
+  oblique.result = fit_surface(oblique.points, options, time_left(control, start));
+  const bool fixed = options.knots || options.control_points_u > 0;
   const bool wins = better(oblique.result, plain.result, fixed);
-  ShearedFit& kept = wins ? oblique : plain;
-  const ShearedFit& other = wins ? plain : oblique;
-  const std::string line =
-      wins ? fmt::format(
-                 "oblique parameters, {} in place of {}: {} against {} without; the surface's corners beyond "
-                 "the data "
-                 "hold no promise",
-                 formula(*shear), shear->u != 0 ? "u" : "v", outcome(kept.result, fixed),
-                 outcome(other.result, fixed))
-           : fmt::format("oblique parameters ({}) tried and left: {} against {} without", formula(*shear),
-                         outcome(other.result, fixed), outcome(kept.result, fixed));
-  kept.result.notes.push_back(line);
-  kept.result.fits += other.result.fits;
-  return std::move(kept);
+  const std::string of_oblique = outcome(oblique.result, fixed), of_plain = outcome(plain.result, fixed);
+  if (wins) {
+    oblique.result.fits += plain.result.fits;
+    oblique.result.notes.push_back(
+        fmt::format("oblique parameters, {} in place of {}: {} against {} without; the surface's corners "
+                    "beyond the data hold no promise",
+                    formula(*shear), shear->u != 0 ? "u" : "v", of_oblique, of_plain));
+    return oblique;
+  }
+  plain.result.fits += oblique.result.fits;
+  plain.result.notes.push_back(fmt::format("oblique parameters ({}) tried and left: {} against {} without",
+                                           formula(*shear), of_oblique, of_plain));
+  return plain;
 }
 
 }  // namespace knotfit

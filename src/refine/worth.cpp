@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/thinned.h"
 #include "place/levenberg.h"
 #include "place/relocate.h"
 #include "place/shares.h"
@@ -12,24 +13,11 @@ namespace {
 constexpr Index kProbePoints = 20000;
 constexpr int kProbeSpans = 10, kProbeSteps = 8, kProbePasses = 2;
 
-/// Every k-th point, so that at most kProbePoints are left.
-ParameterizedPoints thinned(const ParameterizedPoints& points) {
-  const Index stride = (points.size() + kProbePoints - 1) / kProbePoints;
-  ParameterizedPoints few;
-  few.dimension = points.dimension;
-  for (Index k = 0; k < points.size(); k += stride) {
-    few.uv.insert(few.uv.end(), {points.u(k), points.v(k)});
-    few.values.insert(few.values.end(), points.value(k), points.value(k) + points.dimension);
-    if (!points.weights.empty()) few.weights.push_back(points.weights[k]);
-  }
-  return few;
-}
-
 }  // namespace
 
 KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const Tolerance& tolerance,
                          bool thorough) {
-  const ParameterizedPoints points = thinned(data.points());
+  const ParameterizedPoints points = thinned(data.points(), kProbePoints);
   LeastSquaresOptions fit;
   fit.refinement_steps = 0;
   fit.estimate_condition = false;

@@ -84,6 +84,14 @@ TEST(FitSheared, AWorseShearIsLeft) {
   EXPECT_NE(fit.result.notes.back().find("tried and left"), std::string::npos);
 }
 
+TEST(FitSheared, AGivenShearOfZeroIsThePlainFitWithoutANote) {
+  const ParameterizedPoints points = front(1, 0);
+  const ShearedFit fit = fit_sheared(points, at_size(8, 8), Shear{});
+  const FitResult plain = fit_surface(points, at_size(8, 8));
+  EXPECT_EQ(fit.result.surface.net(), plain.surface.net());
+  EXPECT_EQ(fit.result.notes, plain.notes);
+}
+
 TEST(FitSheared, IsForHeightFieldsOnly) {
   ParameterizedPoints points = synthetic_points("torus", 500);
   expect_throw<InvalidInput>([&] { fit_sheared(points, to_tolerance(0.1)); }, "height fields");
