@@ -1,23 +1,14 @@
 #include "pipeline/mesh_knots.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 
 #include "fit/problem.h"
 #include "knotfit/evaluate.h"
-#include "place/damped_step.h"
 #include "place/error_model.h"
-#include "place/knot_spacings.h"
 #include "place/shares.h"
 #include "spline/projection.h"
 namespace knotfit {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-constexpr double kMostStep = 0.3;   // of a logarithm of a span: the parameters have to follow
-constexpr double kLeastSpan = 0.1;  // of the mean: narrower ones have few vertices to hold them
 
 std::vector<double> spread(const KnotVector& knots, int interior) {
   const std::vector<double> breaks = knots.breaks();
@@ -66,34 +57,11 @@ InteriorKnots knots_anew(const Surface& s, int interior_u, int interior_v) {
   InteriorKnots knots = knots_of_density(problem, interior_u, interior_v);
   const auto halfway = [](std::vector<double>& x, const std::vector<double>& from) {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = (x[i] + from[i]) / 2;
-    widen_spans(x, kLeastSpan);
+    widen_spans(x, kLeastMeshSpan);
   };
   halfway(knots.u, spread(s.knots_u(), interior_u));
   halfway(knots.v, spread(s.knots_v(), interior_v));
   return knots;
-}
-
-SpacingsModel::SpacingsModel(const KnotJacobian& jacobian, const InteriorKnots& knots) : knots_(knots) {
-  const KnotSpacings u(knots.u), v(knots.v);
-  const std::size_t unknowns = u.length.size() + v.length.size();
-  std::vector<double> chain(jacobian.knots * unknowns, 0.0);
-  u.chain(chain, 0, 0, unknowns);
-  v.chain(chain, knots.u.size(), u.length.size(), unknowns);
-  const auto k = static_cast<Index>(jacobian.knots), n = static_cast<Index>(unknowns);
-  const Eigen::Map<const RowMajor> c(chain.data(), k, n), h(jacobian.matrix.data(), k, k);
-  const Eigen::Map<const Eigen::VectorXd> g(jacobian.gradient.data(), k);
-  matrix_.resize(unknowns * unknowns);
-  gradient_.resize(unknowns);
-  Eigen::Map<RowMajor>(matrix_.data(), n, n).noalias() = c.transpose() * (h * c);
-  Eigen::Map<Eigen::VectorXd>(gradient_.data(), n).noalias() = c.transpose() * g;
-}
-
-std::optional<InteriorKnots> SpacingsModel::moved(double mu) const {
-  std::vector<double> step(gradient_.size());
-  if (!damped_step(matrix_, gradient_, mu, kMostStep, step)) return std::nullopt;
-  const KnotSpacings u(knots_.u), v(knots_.v);
-  return InteriorKnots{u.moved(step.data(), kLeastSpan).knots(),
-                       v.moved(step.data() + u.length.size(), kLeastSpan).knots()};
 }
 
 }  // namespace knotfit

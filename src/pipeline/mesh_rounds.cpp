@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/mesh_knots.h"
+#include "place/levenberg.h"
 namespace knotfit {
 
 using correction::Rounds;
@@ -59,6 +60,7 @@ Rounds MeshRounds::with_knots_anew(Rounds base, int rounds) const {
 
 Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
   constexpr int kTries = 3, kRoundsAStep = 3;
+  constexpr double kMostStep = 0.3;  // of a logarithm of a span: the parameters have to follow
   if (!base.surface || base.stopped) return base;
   const auto knots_of = [](const Surface& s) {
     return InteriorKnots{s.knots_u().interior(), s.knots_v().interior()};
@@ -70,12 +72,11 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
   for (int step = 0; step < steps && now.surface && !watch_.over(); ++step) {
     const std::optional<KnotJacobian> jacobian = work_.knots(now.uv, *now.surface);
     if (!jacobian || jacobian->knots == 0) break;
-    const SpacingsModel model(*jacobian, knots_of(*now.surface));
+    SpacingStep model(*jacobian, knots_of(*now.surface));
     bool accepted = false;
     for (int trial = 0; trial < kTries && !accepted; ++trial) {
-      const std::optional<InteriorKnots> knots = model.moved(mu);
-      if (knots) {
-        Rounds next = run(now.uv, *knots, &*now.surface, kRoundsAStep, by_rms, 0);
+      if (model.solve(mu, kMostStep)) {
+        Rounds next = run(now.uv, model.moved(kLeastMeshSpan), &*now.surface, kRoundsAStep, by_rms, 0);
         accepted = merit(next) < merit(now) * (1 - 1e-3);
         if (accepted) now = after(std::move(now), std::move(next));
       }

@@ -14,10 +14,17 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 }  // namespace
 
+SpacingStep::SpacingStep(const KnotJacobian& jacobian, const InteriorKnots& knots)
+    : SpacingStep(jacobian, knots, std::nullopt) {}
+
 SpacingStep::SpacingStep(FitProblem& problem, const InteriorKnots& knots, bool golub_pereyra,
                          double scale_matrix, double scale_gradient)
+    : SpacingStep(problem.scattered().knot_jacobian(problem.net(), golub_pereyra), knots,
+                  Scales{scale_matrix, scale_gradient}) {}
+
+SpacingStep::SpacingStep(const KnotJacobian& jacobian, const InteriorKnots& knots,
+                         std::optional<Scales> scales)
     : u_(knots.u), v_(knots.v), unknowns_(u_.length.size() + v_.length.size()) {
-  const KnotJacobian jacobian = problem.scattered().knot_jacobian(problem.net(), golub_pereyra);
   const auto k = static_cast<Index>(jacobian.knots), n = static_cast<Index>(unknowns_);
   std::vector<double> chain(jacobian.knots * unknowns_, 0.0);
   u_.chain(chain, 0, 0, unknowns_);
@@ -27,8 +34,15 @@ SpacingStep::SpacingStep(FitProblem& problem, const InteriorKnots& knots, bool g
   matrix_.resize(unknowns_ * unknowns_);
   gradient_.resize(unknowns_);
   step_.assign(unknowns_, 0.0);
-  Eigen::Map<RowMajor>(matrix_.data(), n, n).noalias() = c.transpose() * (h * c) * scale_matrix;
-  Eigen::Map<Eigen::VectorXd>(gradient_.data(), n).noalias() = c.transpose() * g * scale_gradient;
+  Eigen::Map<RowMajor> matrix(matrix_.data(), n, n);
+  Eigen::Map<Eigen::VectorXd> gradient(gradient_.data(), n);
+  if (scales) {
+    matrix.noalias() = c.transpose() * (h * c) * scales->matrix;
+    gradient.noalias() = c.transpose() * g * scales->gradient;
+  } else {  // a scale of 1 sums in another order: other last bits
+    matrix.noalias() = c.transpose() * (h * c);
+    gradient.noalias() = c.transpose() * g;
+  }
 }
 
 bool SpacingStep::solve(double mu, double most) {

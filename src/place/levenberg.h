@@ -1,7 +1,9 @@
 // Levenberg-Marquardt on the knots, control points eliminated [Golub73; Kaufman75; METHOD 3].
 #pragma once
 #include <functional>
+#include <optional>
 
+#include "fit/knot_jacobian.h"
 #include "fit/problem.h"
 #include "place/knot_spacings.h"
 namespace knotfit {
@@ -16,10 +18,12 @@ struct LevenbergOptions {
   std::function<bool()> stop;  ///< asked between steps; may be empty
 };
 
-/// Normal equations of one step in the log-spacings of both directions: H = C^T J^T W J C, g = C^T J^T W r.
-/// The problem holds a net with its residuals and the factor of its weights.
+/// Normal equations of one step in the log-spacings of both directions [Jupp78]: H = C^T J^T W J C, g = C^T J^T W r.
 class SpacingStep {
  public:
+  /// \param jacobian  J^T W J and J^T W r in the knots
+  SpacingStep(const KnotJacobian& jacobian, const InteriorKnots& knots);
+  /// Of a problem that holds a net with its residuals and the factor of its weights.
   SpacingStep(FitProblem& problem, const InteriorKnots& knots, bool golub_pereyra, double scale_matrix = 1,
               double scale_gradient = 1);
   /// Solves with damping mu; no entry beyond `most`. \return false where the matrix is singular
@@ -28,6 +32,11 @@ class SpacingStep {
   double predicted_fall() const;  ///< of the quadratic model, for the step last solved
 
  private:
+  struct Scales {
+    double matrix, gradient;
+  };
+  SpacingStep(const KnotJacobian& jacobian, const InteriorKnots& knots, std::optional<Scales> scales);
+
   KnotSpacings u_, v_;
   std::size_t unknowns_ = 0;
   std::vector<double> matrix_, gradient_, step_;
