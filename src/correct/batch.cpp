@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "correct/merit.h"
 namespace knotfit::correction {
 namespace {
 
-constexpr double kFoldPenalty = 20;  // merit = RMS (1 + 20 folded)
 constexpr double kMostHinge = 1e4, kHingeGrow = 3, kHingeDecay = 0.7;
 
 /// RMS and maximum over the data.
@@ -156,7 +156,7 @@ Verdict Batch::judge(const CellPolynomials& surface) const {
     verdict.error = measured_error(distances, options_.keep_by);
   }
   verdict.folded = hinge_rows(surface, reference_, {}).folded;
-  verdict.merit = verdict.rms * (1 + kFoldPenalty * verdict.folded);
+  verdict.merit = merit_of(verdict.rms, verdict.folded);
   return verdict;
 }
 

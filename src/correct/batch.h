@@ -16,7 +16,7 @@ struct Verdict {
   double rms = 0, max = 0;
   double error = 0;  ///< the error that counts
   double folded = 0;
-  double merit = INFINITY;      ///< RMS (1 + 20 folded)
+  double merit = INFINITY;      ///< merit_of() the RMS
   std::vector<double> squared;  ///< distances, by point
 };
 

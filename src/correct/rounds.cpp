@@ -13,7 +13,6 @@ constexpr double kFirstTangential = 0.3, kLaterTangential = 0.05, kLeastTangenti
                  kGrow = 4;
 constexpr int kBatch = 6;         // rounds between halvings of long edges
 constexpr double kLongest = 0.6;  // of an edge, in spans
-constexpr double kFoldPenalty = 20;
 
 }  // namespace
 
@@ -24,13 +23,10 @@ Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector&
   Rounds result;
   std::vector<double> hinge_weights(static_cast<std::size_t>(u.spans() * v.spans()), 1.0);
   std::optional<Surface> last = options.start;
-  double best_of_all = INFINITY;
   double first_tangential = options.start ? kLaterTangential : kFirstTangential;
   const Index given = mesh.size();
   const auto keep = [&](const Verdict& verdict, const Surface& surface) {
-    const double merit = verdict.error * (1 + kFoldPenalty * verdict.folded);
-    if (!(merit < best_of_all)) return;
-    best_of_all = merit;
+    if (!(merit_of(verdict.error, verdict.folded) < result.merit())) return;
     result.surface = surface;
     result.uv.assign(mesh.uv.begin(), mesh.uv.begin() + 2 * given);
     result.best = static_cast<Index>(result.rounds.size()) - 1;

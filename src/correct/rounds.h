@@ -1,6 +1,9 @@
 // The schedule of a correction, in its own frame.
 #pragma once
+#include <cmath>
+
 #include "correct/holding_mesh.h"
+#include "correct/merit.h"
 #include "correct/watch.h"
 #include "fit/knot_jacobian.h"
 #include "knotfit/correct.h"
@@ -13,6 +16,7 @@ struct Rounds {
   Index best = 0;
   double error = 0, folded = 0;  ///< of the best: the error that counts, the folded share
   bool stopped = false;
+  double merit() const { return surface ? merit_of(error, folded) : INFINITY; }  ///< of the best
 };
 
 /// \param mesh     lengths over the diagonal
