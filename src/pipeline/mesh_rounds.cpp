@@ -1,6 +1,5 @@
 #include "pipeline/mesh_rounds.h"
 
-#include <cmath>
 #include <utility>
 
 #include "pipeline/mesh_knots.h"
@@ -8,6 +7,14 @@
 namespace knotfit {
 
 using correction::Rounds;
+
+namespace {
+
+InteriorKnots knots_of(const Surface& s) {
+  return {s.knots_u().interior(), s.knots_v().interior()};
+}
+
+}  // namespace
 
 MeshRounds::MeshRounds(const correction::CorrectionWork& work, int degree_u, int degree_v,
                        const Tolerance& tolerance, const Control& control, bool reports)
@@ -18,10 +25,6 @@ MeshRounds::MeshRounds(const correction::CorrectionWork& work, int degree_u, int
       control_(control),
       watch_(control_, "correction") {
   if (!reports) control_.progress = nullptr;
-}
-
-double MeshRounds::merit(const Rounds& r) {
-  return r.surface ? r.error * (1 + 20 * r.folded) : INFINITY;
 }
 
 Rounds MeshRounds::after(Rounds earlier, Rounds later) {
@@ -49,22 +52,27 @@ Rounds MeshRounds::correct(const std::vector<double>& uv, const InteriorKnots& k
   return run(uv, knots, start, rounds, {enough, tolerance_.measure, tolerance_.share}, minimax);
 }
 
+Rounds MeshRounds::polished(Rounds base) const {
+  constexpr int kLastRounds = 6, kMinimaxRounds = 15;
+  if (!base.surface || meets(base)) return base;
+  Rounds last = correct(base.uv, knots_of(*base.surface), &*base.surface, kLastRounds, tolerance_.value,
+                        tolerance_.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
+  return last.merit() < base.merit() ? after(std::move(base), std::move(last)) : std::move(base);
+}
+
 Rounds MeshRounds::with_knots_anew(Rounds base, int rounds) const {
   if (!base.surface || base.stopped) return base;
   const Surface& s = *base.surface;
   const InteriorKnots knots = knots_anew(s, static_cast<int>(s.knots_u().interior().size()),
                                          static_cast<int>(s.knots_v().interior().size()));
   Rounds next = correct(base.uv, knots, &s, rounds);
-  return merit(next) < merit(base) ? after(std::move(base), std::move(next)) : std::move(base);
+  return next.merit() < base.merit() ? after(std::move(base), std::move(next)) : std::move(base);
 }
 
 Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
   constexpr int kTries = 3, kRoundsAStep = 3;
   constexpr double kMostStep = 0.3;  // of a logarithm of a span: the parameters have to follow
   if (!base.surface || base.stopped) return base;
-  const auto knots_of = [](const Surface& s) {
-    return InteriorKnots{s.knots_u().interior(), s.knots_v().interior()};
-  };
   const Tolerance by_rms{.value = 0, .measure = ErrorMeasure::rms};
   Rounds now = run(base.uv, knots_of(*base.surface), &*base.surface, 1, by_rms, 0);
   double mu = 0.1;
@@ -77,7 +85,7 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
     for (int trial = 0; trial < kTries && !accepted; ++trial) {
       if (model.solve(mu, kMostStep)) {
         Rounds next = run(now.uv, model.moved(kLeastMeshSpan), &*now.surface, kRoundsAStep, by_rms, 0);
-        accepted = merit(next) < merit(now) * (1 - 1e-3);
+        accepted = next.merit() < now.merit() * (1 - 1e-3);
         if (accepted) now = after(std::move(now), std::move(next));
       }
       mu *= accepted ? 0.3 : 6;
@@ -87,7 +95,7 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
   }
   if (!moved || !now.surface) return base;
   Rounds judged = correct(now.uv, knots_of(*now.surface), &*now.surface, 1);
-  if (!(merit(judged) < merit(base))) return base;
+  if (!(judged.merit() < base.merit())) return base;
   return after(std::move(base), after(std::move(now), std::move(judged)));
 }
 

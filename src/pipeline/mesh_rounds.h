@@ -18,6 +18,10 @@ class MeshRounds {
   correction::Rounds correct(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
                              int rounds, double enough = 0, int minimax = 0) const;
 
+  bool meets(const correction::Rounds& r) const { return r.surface && r.error <= tolerance_.value; }
+  /// With last rounds for the tolerance itself where it is not met; the better of both.
+  correction::Rounds polished(correction::Rounds base) const;
+
   /// Knots by the error model on the corrected surface, at its size, with rounds after them; the better of both.
   correction::Rounds with_knots_anew(correction::Rounds base, int rounds) const;
   /// Levenberg-Marquardt steps of the knots on the distances, each with rounds of its own; the RMS falls.
@@ -25,8 +29,6 @@ class MeshRounds {
 
   /// The later one, its rounds counted after the earlier one's.
   static correction::Rounds after(correction::Rounds earlier, correction::Rounds later);
-  /// Error times 1 + 20 folded share; infinite without a surface.
-  static double merit(const correction::Rounds& r);
   long fits() const { return fits_; }
 
  private:

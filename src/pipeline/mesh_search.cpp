@@ -14,7 +14,7 @@ using Spans = std::pair<int, int>;
 
 constexpr double kGrow = 1.4, kStep = 1.05;  // of the product of the spans, coarse and fine
 constexpr double kNear = 2;                  // times the tolerance: what the last rounds may gain
-constexpr int kLastRounds = 6, kMinimaxRounds = 15, kKnotSteps = 4;
+constexpr int kKnotSteps = 4;
 constexpr long kMostRounds = 6000;
 constexpr Index kMostControlPoints = 5000;  // by default: the system's factor grows with the square
 constexpr double kBeyond =
@@ -56,7 +56,6 @@ class MeshSizes {
   struct State {
     Spans spans{};
     Rounds rounds;
-    double merit() const { return MeshRounds::merit(rounds); }
   };
 
   Index size(const Spans& s) const {
@@ -76,21 +75,11 @@ class MeshSizes {
     return {at, rounds_of_.correct(from->rounds.uv, knots, &*from->rounds.surface, rounds_)};
   }
 
-  bool meets(const Rounds& r) const { return r.surface && r.error <= tolerance_.value; }
-
   bool near(const Rounds& r) const {
     return r.surface && r.error <= kNear * tolerance_.value && !interrupted();
   }
-  /// Rounds for the tolerance itself. \return the better
-  Rounds polished(Rounds base) {
-    if (meets(base) || !near(base)) return base;
-    const Surface& s = *base.surface;
-    Rounds more =
-        rounds_of_.correct(base.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
-                           tolerance_.value, tolerance_.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
-    return MeshRounds::merit(more) < MeshRounds::merit(base)
-               ? MeshRounds::after(std::move(base), std::move(more))
-               : base;
+  Rounds polished(Rounds base) const {
+    return near(base) ? rounds_of_.polished(std::move(base)) : std::move(base);
   }
 
   /// What a size may still gain, where the tolerance is near: first on its knots, then on others as far as the method
@@ -98,14 +87,14 @@ class MeshSizes {
   bool settle(const State& state) {
     State last{state.spans, polished(state.rounds)};
     Rounds moved = state.rounds;
-    for (int way = 0; way < ways_ && !meets(last.rounds) && near(state.rounds); ++way) {
+    for (int way = 0; way < ways_ && !rounds_of_.meets(last.rounds) && near(state.rounds); ++way) {
       moved = way == 0 ? rounds_of_.with_knots_anew(moved, rounds_)
                        : rounds_of_.with_knots_moved(moved, kKnotSteps);
       Rounds polish = polished(moved);
-      if (MeshRounds::merit(polish) < last.merit()) last.rounds = std::move(polish);
+      if (polish.merit() < last.rounds.merit()) last.rounds = std::move(polish);
     }
     bool holds = false;
-    if (meets(last.rounds)) {
+    if (rounds_of_.meets(last.rounds)) {
       CorrectionResult result = work_.finish(last.rounds, false, control_);
       const double error = work_.error(result, tolerance_);
       last.rounds.error = std::min(last.rounds.error, error);
@@ -116,7 +105,7 @@ class MeshSizes {
         if (!holds && folded_ == 0) folded_ = size(state.spans);
       }
     }
-    if (!best_.rounds.surface || last.merit() < best_.merit()) best_ = last;
+    if (!best_.rounds.surface || last.rounds.merit() < best_.rounds.merit()) best_ = last;
     tried_.push_back({state.spans.first + options_.degree_u, state.spans.second + options_.degree_v,
                       last.rounds.error * work_.frame().diagonal, holds});
     if (control_.progress)
@@ -199,14 +188,7 @@ MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOption
   if (options.method == "error-model" || options.method == "optimal")
     for (int k = 0; k < kAnew; ++k) best = rounds.with_knots_anew(std::move(best), (all + 1) / 2);
   if (options.method == "optimal") best = rounds.with_knots_moved(std::move(best), kSteps);
-  if (options.tolerance && best.surface && best.error > tolerance.value) {
-    const Surface& s = *best.surface;
-    Rounds last =
-        rounds.correct(best.uv, {s.knots_u().interior(), s.knots_v().interior()}, &s, kLastRounds,
-                       tolerance.value, tolerance.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
-    if (MeshRounds::merit(last) < MeshRounds::merit(best))
-      best = MeshRounds::after(std::move(best), std::move(last));
-  }
+  if (options.tolerance) best = rounds.polished(std::move(best));
   MeshSearch found;
   found.correction = work.finish(std::move(best), false, control);
   found.status = control.stop.stop_requested() ? Status::stopped : Status::fixed_size;
