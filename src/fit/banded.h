@@ -36,11 +36,12 @@ class BandMatrix {
   Index size() const { return size_; }
   Index bandwidth() const { return bandwidth_; }
   double* column(Index j) { return data_.data() + j * (bandwidth_ + 1); }
+  const double* column(Index j) const { return data_.data() + j * (bandwidth_ + 1); }
   void add(Index i, Index j, double value) { data_[j * (bandwidth_ + 1) + i - j] += value; }
   double trace() const;
   double norm_1() const;  ///< largest column sum of the full symmetric matrix
-  /// Cholesky factor in place (dpbtrf where the band is wide). \return false where the matrix is not positive definite to working
-  /// precision
+  /// Cholesky factor in place (dpbtrf where the band is wide).
+  /// \return false where the matrix is not positive definite to working precision
   bool factor();
   /// Solves with the factor in place; x is size x columns, column after column (dpbtrs).
   void solve(double* x, Index columns) const;
