@@ -218,10 +218,10 @@ void TangentSystem::add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix
 
 std::optional<BandMatrix> TangentSystem::factored(const BandMatrix& matrix, const BandMatrix& scalar,
                                                   int block, double lambda) const {
-  BandMatrix whole = matrix, energy = energy_, other = scalar;
-  const Index size = energy.size(), band = energy.bandwidth();
+  BandMatrix whole = matrix;
+  const Index size = energy_.size(), band = energy_.bandwidth();
   for (Index k = 0; k < size; ++k) {
-    const double *e = energy.column(k), *g = other.column(k);
+    const double *e = energy_.column(k), *g = scalar.column(k);
     for (Index d = 0; d <= std::min(band, size - 1 - k); ++d) {
       const double x = lambda * e[d] + g[d];
       if (x == 0) continue;

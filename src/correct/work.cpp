@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "correct/final_parameters.h"
@@ -168,27 +167,24 @@ CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, cons
                   : rounds.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
                                                             : CorrectionStatus::corrected;
   result.surface = frame_.outside(*rounds.surface);
-  result.uv = first_;
-  if (!from_first_fit || rounds.best != 0) {
+  const auto take = [&](std::vector<double> uv) {  // the first, and another where it folds no more
+    FoldReport folds = measure_folds(result.surface, mesh_, uv);
+    if (!result.uv.empty() && !(folds.blurred <= result.folds.blurred)) return;
+    result.uv = std::move(uv);
+    result.folds = std::move(folds);
+  };
+  if (from_first_fit && rounds.best == 0) {
+    take(first_);
+  } else {
     // From the rounds' own parameters, where hardly a triangle is turned over; from the map where that folds less.
     const std::vector<Vec3> position = frame_.inside(mesh_);
-    auto ended_at = [&](std::vector<double> from) {
+    const auto ended_at = [&](std::vector<double> from) {
       return final_parameters(mesh_.faces, position, sliding_, std::move(from), rounds.uv, *rounds.surface);
     };
     std::vector<double> near = rounds.uv;
     untangle(mesh_.faces, untangling_, first_, near);
-    result.uv = ended_at(std::move(near));
-    result.folds = measure_folds(result.surface, mesh_, result.uv);
-    if (result.folds.flipped > 0) {
-      std::vector<double> other = ended_at(first_);
-      FoldReport folds = measure_folds(result.surface, mesh_, other);
-      if (folds.blurred <= result.folds.blurred) {
-        result.uv = std::move(other);
-        result.folds = std::move(folds);
-      }
-    }
-  } else {
-    result.folds = measure_folds(result.surface, mesh_, result.uv);
+    take(ended_at(std::move(near)));
+    if (result.folds.flipped > 0) take(ended_at(first_));
   }
   measure(result, mesh_, data_, control);
   return result;
