@@ -17,6 +17,9 @@ Vector3d at(std::span<const double> points, Index k) {
   return {points[3 * k], points[3 * k + 1], points[3 * k + 2]};
 }
 
+Vector3d vector_of(const Vector& v) {
+  return {v[0], v[1], v[2]};
+}
 Vector array_of(const Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
@@ -76,11 +79,10 @@ Vector3d turned_up(const Vector3d& axis) {
   return axis[largest] < 0 ? Vector3d(-axis) : axis;
 }
 
-/// Two directions that make a right-handed frame with the axis; the first as near to x as may be.
 void frame_of(const Vector3d& axis, Vector3d& first, Vector3d& second) {
-  const Vector3d towards = std::abs(axis[0]) < 0.9 ? Vector3d(1, 0, 0) : Vector3d(0, 1, 0);
-  first = (towards - towards.dot(axis) * axis).normalized();
-  second = axis.cross(first);
+  const auto [a, b] = cloud::frame_of(array_of(axis));
+  first = vector_of(a);
+  second = vector_of(b);
 }
 
 }  // namespace
@@ -90,8 +92,8 @@ BasePlaces project_to_plane(std::span<const double> points) {
   if (!(axes.variance[2] > 0)) throw InvalidInput("all points are at one place: there is no surface to fit");
   if (!(axes.variance[1] > kLine * axes.variance[2]))
     throw InvalidInput("all points lie on one straight line: there is no plane to project them to");
-  const Vector3d normal = turned_up(Vector3d(axes.axis[0][0], axes.axis[0][1], axes.axis[0][2]));
-  const Vector3d centre(axes.centre[0], axes.centre[1], axes.centre[2]);
+  const Vector3d normal = turned_up(vector_of(axes.axis[0]));
+  const Vector3d centre = vector_of(axes.centre);
   Vector3d first, second;
   frame_of(normal, first, second);
   const Index n = static_cast<Index>(points.size()) / 3;
@@ -115,13 +117,13 @@ BasePlaces project_to_plane(std::span<const double> points) {
 BasePlaces project_to_cylinder(std::span<const double> points, const std::vector<Vector>& normals) {
   const Index n = static_cast<Index>(points.size()) / 3;
   const Axes axes = principal_axes(points);
-  const Vector3d centre(axes.centre[0], axes.centre[1], axes.centre[2]);
+  const Vector3d centre = vector_of(axes.centre);
   const double size = std::sqrt(axes.variance[0] + axes.variance[1] + axes.variance[2]);
   if (!(axes.variance[1] > kLine * axes.variance[2]))
     throw InvalidInput("all points lie on one straight line: there is no cylinder to project them to");
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
   for (const Vector& v : normals) {
-    const Vector3d x(v[0], v[1], v[2]);
+    const Vector3d x = vector_of(v);
     m += x * x.transpose();
   }
   Vector3d axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m).eigenvectors().col(0);

@@ -16,22 +16,12 @@ using Corners = std::array<std::int32_t, 3>;
 
 constexpr double kLeastShare = 0.9;  // of the points, in one piece
 
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Pairs of neighbours of point k between which its own triangulation has a triangle with k, counter-clockwise.
 std::vector<std::array<std::int32_t, 2>> star(std::span<const double> points, Index k,
                                               const NeighbourLists& near,
                                               const std::vector<Vector>& normals) {
   const Vector& n = normals[k];
-  // Two directions that make a right-handed frame with the normal.
-  const Vector towards = std::abs(n[0]) < 0.9 ? Vector{1, 0, 0} : Vector{0, 1, 0};
-  Vector a{};
-  for (int c = 0; c < 3; ++c) a[c] = towards[c] - dot(towards, n) * n[c];
-  const double length = std::sqrt(dot(a, a));
-  for (double& x : a) x /= length;
-  const Vector b{n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]};
+  const auto [a, b] = frame_of(n);
   std::vector<std::int32_t> number{static_cast<std::int32_t>(k)};
   std::vector<double> flat{0, 0};
   double reach = 0;

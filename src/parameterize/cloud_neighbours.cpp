@@ -40,11 +40,15 @@ void search(std::span<const double> points, NeighbourLists& lists) {
   });
 }
 
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 }  // namespace
+
+std::array<Vector, 2> frame_of(const Vector& axis) {
+  using Eigen::Vector3d;
+  const Vector3d n(axis.data());
+  const Vector3d towards = std::abs(n[0]) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
+  const Vector3d first = (towards - towards.dot(n) * n).normalized(), second = n.cross(first);
+  return {Vector{first[0], first[1], first[2]}, Vector{second[0], second[1], second[2]}};
+}
 
 NeighbourLists nearest_neighbours(std::span<const double> points, int dimension, int count) {
   NeighbourLists lists;

@@ -9,6 +9,12 @@
 namespace knotfit::cloud {
 
 using Vector = std::array<double, 3>;
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Two unit vectors that make a right-handed frame with a unit vector; the first as near to x as may be, or to y.
+std::array<Vector, 2> frame_of(const Vector& axis);
 
 /// The nearest others of every point, nearest first: count a point.
 struct NeighbourLists {

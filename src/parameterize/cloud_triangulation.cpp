@@ -54,6 +54,15 @@ double middle(double a, double b, double c) {
   return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
+double longest_edge(const std::array<std::int32_t, 3>& triangle, std::span<const double> places) {
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double *a = &places[2 * triangle[k]], *b = &places[2 * triangle[(k + 1) % 3]];
+    longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1]));
+  }
+  return longest;
+}
+
 /// Triangles that bridge a gap of the data.
 std::vector<char> bridges(const Triangulation& t, std::span<const double> places) {
   const auto n = static_cast<Index>(t.used.size());
@@ -63,14 +72,8 @@ std::vector<char> bridges(const Triangulation& t, std::span<const double> places
     for (Index k = 0; k < n; ++k) spacing[k] = std::sqrt(near.squared[(k + 1) * kSpacing - 1]);
   }
   std::vector<char> bridge;
-  for (const auto& f : t.triangle) {
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double *a = &places[2 * f[k]], *b = &places[2 * f[(k + 1) % 3]];
-      longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1]));
-    }
-    bridge.push_back(longest > kGap * middle(spacing[f[0]], spacing[f[1]], spacing[f[2]]));
-  }
+  for (const auto& f : t.triangle)
+    bridge.push_back(longest_edge(f, places) > kGap * middle(spacing[f[0]], spacing[f[1]], spacing[f[2]]));
   return bridge;
 }
 
@@ -111,12 +114,7 @@ void keep_every_point(const Triangulation& t, std::span<const double> places, st
   std::vector<std::int32_t> best(t.used.size(), -1);
   std::vector<double> least(t.used.size(), INFINITY);
   for (std::size_t f = 0; f < t.triangle.size(); ++f) {
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double *a = &places[2 * t.triangle[f][k]], *b = &places[2 * t.triangle[f][(k + 1) % 3]];
-      longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1]));
-    }
-    if (bridge[f] == 0) longest = 0;
+    const double longest = bridge[f] != 0 ? longest_edge(t.triangle[f], places) : 0;
     for (const std::int32_t k : t.triangle[f])
       if (longest < least[k]) least[k] = longest, best[k] = static_cast<std::int32_t>(f);
   }
