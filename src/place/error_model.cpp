@@ -18,6 +18,13 @@ constexpr int kFineRounds = 4;
 /// Whether there is data at (along, across); empty: everywhere.
 using Coverage = std::function<bool(double, double)>;
 
+Coverage coverage(const ParameterMap& map, bool along_v) {
+  if (!map.sheared()) return {};
+  return [&map, along_v](double along, double across) {
+    return along_v ? map.covers(across, along) : map.covers(along, across);
+  };
+}
+
 /// across.gram(0) from the spans that are covered, with `margin` around them, between `first` and `last` along: a
 /// surface swings beyond the data, and cells that hold little of it swing with it.
 std::vector<double> covered_gram(const Axis& across, double first, double last, const Coverage& covered) {
@@ -123,12 +130,12 @@ Rounds iterate(FitProblem& problem, InteriorKnots knots, int rounds, const Toler
     if (round == rounds || stop() || error <= keep_by.value) break;
     InteriorKnots next =
         knots_of_density(problem, static_cast<int>(knots.u.size()), static_cast<int>(knots.v.size()));
-    for (std::size_t i = 0; i < next.u.size(); ++i)
-      next.u[i] = kDamping * next.u[i] + (1 - kDamping) * knots.u[i];
-    for (std::size_t i = 0; i < next.v.size(); ++i)
-      next.v[i] = kDamping * next.v[i] + (1 - kDamping) * knots.v[i];
-    widen_spans(next.u, kLeastSpan);
-    widen_spans(next.v, kLeastSpan);
+    const auto damp = [](std::vector<double>& x, const std::vector<double>& from) {
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] = kDamping * x[i] + (1 - kDamping) * from[i];
+      widen_spans(x, kLeastSpan);
+    };
+    damp(next.u, knots.u);
+    damp(next.v, knots.v);
     knots = std::move(next);
   }
   return result;
@@ -138,18 +145,14 @@ Rounds iterate(FitProblem& problem, InteriorKnots knots, int rounds, const Toler
 
 ErrorDensity error_density_u(const FitProblem& f) {
   const int d = f.points().dimension;
-  const ParameterMap& map = f.points().map;
-  Coverage covered;
-  if (map.sheared()) covered = [&](double u, double v) { return map.covers(u, v); };
-  return density(f.axis_u(), f.axis_v(), f.net().data(), f.axis_v().functions() * d, d, d, covered);
+  return density(f.axis_u(), f.axis_v(), f.net().data(), f.axis_v().functions() * d, d, d,
+                 coverage(f.points().map, false));
 }
 
 ErrorDensity error_density_v(const FitProblem& f) {
   const int d = f.points().dimension;
-  const ParameterMap& map = f.points().map;
-  Coverage covered;
-  if (map.sheared()) covered = [&](double v, double u) { return map.covers(u, v); };
-  return density(f.axis_v(), f.axis_u(), f.net().data(), d, f.axis_v().functions() * d, d, covered);
+  return density(f.axis_v(), f.axis_u(), f.net().data(), d, f.axis_v().functions() * d, d,
+                 coverage(f.points().map, true));
 }
 
 InteriorKnots knots_of_density(const FitProblem& fitted, int interior_u, int interior_v) {
