@@ -42,14 +42,8 @@ std::vector<double> curve_points(const std::string& path) {
 }
 
 Surface base_surface(const BaseChoice& base) {
-  if (base.curves.empty()) {
-    const SurfaceDocument document = read_one_surface(base.surface, {});
-    if (document.height_field)
-      return height_field_in_space(document.surface, document.map.u0, document.map.u1, document.map.v0,
-                                   document.map.v1);
-    if (document.surface.dimension() != 3) throw InvalidInput(base.surface + ": is no surface in space");
-    return document.surface;
-  }
+  if (base.curves.empty())
+    return surface_in_space(read_one_surface(base.surface, {}), base.surface + ": is no surface in space");
   std::array<std::vector<double>, 4> curves;
   for (std::size_t k = 0; k < 4; ++k) curves[k] = curve_points(base.curves[k]);
   return coons_surface(curves);

@@ -56,18 +56,10 @@ PointTable as_table(const SourceData& data) {
 Table points_table(const SourceData& data) {
   Table table;
   if (const Raster* raster = std::get_if<Raster>(&data.content)) {
-    std::vector<double> x, y, z;
-    for (Index r = 0; r < raster->rows; ++r)
-      for (Index c = 0; c < raster->columns; ++c) {
-        const double height = raster->z[r * raster->columns + c];
-        if (std::isnan(height)) continue;
-        x.push_back(raster->x(c));
-        y.push_back(raster->y(r));
-        z.push_back(height);
-      }
-    table.add("x", std::move(x));
-    table.add("y", std::move(y));
-    table.add("z", std::move(z));
+    PointTable heights = table_of(*raster);
+    table.add("x", std::move(heights.x));
+    table.add("y", std::move(heights.y));
+    table.add("z", std::move(heights.z));
     return table;
   }
   PointTable points = as_table(data);

@@ -40,14 +40,6 @@ std::vector<double> points_of(const SourceData& data) {
   return points;
 }
 
-Surface in_space(const SurfaceDocument& document, const std::string& path) {
-  if (document.surface.dimension() == 3) return document.surface;
-  if (document.height_field && document.surface.dimension() == 1)
-    return height_field_in_space(document.surface, document.map);
-  throw InvalidInput(fmt::format("{}: the surface has {} coordinates; distances are of surfaces in space",
-                                 path, document.surface.dimension()));
-}
-
 double diagonal_of(const std::vector<double>& points) {
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -128,7 +120,9 @@ int run_distance(const DistanceArguments& arguments) {
   control.stop = stop.token();
 
   const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
-  const Surface surface = in_space(document, arguments.surface);
+  const Surface surface = surface_in_space(
+      document, fmt::format("{}: the surface has {} coordinates; distances are of surfaces in space",
+                            arguments.surface, document.surface.dimension()));
   const SourceData data = read_input(arguments.data, arguments.input);
   const std::vector<double> points = points_of(data);
   PointDistances distances;

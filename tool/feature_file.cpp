@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "input.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
@@ -12,18 +10,7 @@ namespace {
 
 PointTable values_of(const std::string& path) {
   SourceData data = read_input(path, {});
-  if (const Raster* raster = std::get_if<Raster>(&data.content)) {
-    PointTable table;
-    for (Index r = 0; r < raster->rows; ++r)
-      for (Index c = 0; c < raster->columns; ++c) {
-        const double z = raster->z[r * raster->columns + c];
-        if (std::isnan(z)) continue;
-        table.x.push_back(raster->x(c));
-        table.y.push_back(raster->y(r));
-        table.z.push_back(z);
-      }
-    return table;
-  }
+  if (const Raster* raster = std::get_if<Raster>(&data.content)) return table_of(*raster);
   if (PointTable* table = std::get_if<PointTable>(&data.content)) return std::move(*table);
   if (const PointRows* rows = std::get_if<PointRows>(&data.content)) return table_of(*rows);
   throw FileError(path,

@@ -105,6 +105,19 @@ PointTable table_of(const PointRows& rows) {
   return table;
 }
 
+PointTable table_of(const Raster& raster) {
+  PointTable table;
+  for (Index r = 0; r < raster.rows; ++r)
+    for (Index c = 0; c < raster.columns; ++c) {
+      const double z = raster.z[r * raster.columns + c];
+      if (std::isnan(z)) continue;
+      table.x.push_back(raster.x(c));
+      table.y.push_back(raster.y(r));
+      table.z.push_back(z);
+    }
+  return table;
+}
+
 FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control) {
   FitInput input;
   SourceData data = read_input(path, choices.input);

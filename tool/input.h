@@ -38,7 +38,8 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
 /// Cells or points of `data` that are holes.
 Index count_holes(const SourceData& data);
 
-/// Rows as a table of points, holes left out.
+/// Rows, or the cells of a raster, as a table of points, holes left out.
 PointTable table_of(const PointRows& rows);
+PointTable table_of(const Raster& raster);
 
 }  // namespace knotfit::tool

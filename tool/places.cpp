@@ -12,27 +12,13 @@
 namespace knotfit::tool {
 namespace {
 
-Places of_raster(const Raster& raster) {
-  Places places;
-  places.given_dimension = 1;
-  for (Index r = 0; r < raster.rows; ++r)
-    for (Index c = 0; c < raster.columns; ++c) {
-      const double z = raster.z[r * raster.columns + c];
-      if (std::isnan(z)) continue;
-      places.a.push_back(raster.x(c));
-      places.b.push_back(raster.y(r));
-      places.given.push_back(z);
-    }
-  return places;
-}
-
 Places of_table(PointTable table, const SurfaceDocument& document, const std::string& path) {
   const bool height_field = document.height_field;
   const int dimension = document.surface.dimension();
   Places places;
   places.a = height_field ? table.x : table.u;
   places.b = height_field ? table.y : table.v;
-  if (places.a.empty())
+  if (places.a.empty() && table.size() > 0)
     throw InvalidInput(fmt::format(
         "{}: there are no columns {}; name the columns with --columns", path,
         height_field ? "x, y: the surface is a height field" : "u, v: the surface is not a height field"));
@@ -58,7 +44,7 @@ Places of_file(const EvalArguments& arguments, const SurfaceDocument& document) 
   if (const Raster* raster = std::get_if<Raster>(&data.content)) {
     if (!document.height_field)
       throw InvalidInput(path + ": holds heights over x, y, but the surface is not a height field");
-    places = of_raster(*raster);
+    places = of_table(table_of(*raster), document, path);
   } else if (PointRows* rows = std::get_if<PointRows>(&data.content)) {
     places = of_table(table_of(*rows), document, path);
   } else if (const Mesh* mesh = std::get_if<Mesh>(&data.content)) {

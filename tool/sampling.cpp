@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "surface_file.h"
 namespace knotfit::tool {
 namespace {
 
@@ -53,15 +53,10 @@ void add_components(Table& table, const SurfaceDocument& document, const std::ve
   for (int c = 0; c < d; ++c) table.add(derivative_name(names[c], map, order), std::move(columns[c]));
 }
 
-Surface in_space(const SurfaceDocument& document) {
-  if (document.surface.dimension() == 3) return document.surface;
-  if (document.height_field) return height_field_in_space(document.surface, document.map);
-  throw InvalidInput("--normals and --curvature need a surface in space or a height field");
-}
-
 void add_geometry(Table& table, const SurfaceDocument& document, const std::vector<double>& uv,
                   const SampleOptions& options) {
-  const Surface surface = in_space(document);
+  const Surface surface =
+      surface_in_space(document, "--normals and --curvature need a surface in space or a height field");
   constexpr std::array<const char*, 7> kNames = {"nx", "ny", "nz", "mean_curvature", "gaussian_curvature",
                                                  "k1", "k2"};
   std::array<std::vector<double>, 7> columns;

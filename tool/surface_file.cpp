@@ -67,4 +67,10 @@ SurfaceDocument read_one_surface(const std::string& path, const SurfaceChoices& 
   return std::move(documents[face - 1]);
 }
 
+Surface surface_in_space(const SurfaceDocument& document, const std::string& otherwise) {
+  if (document.surface.dimension() == 3) return document.surface;
+  if (document.height_field) return height_field_in_space(document.surface, document.map);
+  throw InvalidInput(otherwise);
+}
+
 }  // namespace knotfit::tool

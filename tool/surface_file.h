@@ -19,4 +19,8 @@ std::vector<SurfaceDocument> read_surfaces(const std::string& path, const Surfac
 /// \throws InvalidInput  there are several, or none of that number
 SurfaceDocument read_one_surface(const std::string& path, const SurfaceChoices& choices);
 
+/// The surface in space that the document means: its own, or that of a height field over the user's x and y.
+/// \throws InvalidInput  with the words of `otherwise`, where it is neither
+Surface surface_in_space(const SurfaceDocument& document, const std::string& otherwise);
+
 }  // namespace knotfit::tool

@@ -54,6 +54,18 @@ class Shear(ToolTest):
         self.assertIn("oblique parameters: shear of u = 0.4", text)
         self.assertIn("x 100", text)
 
+    def test_as_the_base_of_a_cloud_it_lies_where_the_data_is(self):
+        self.fit("--shear", "u:0.4", "-o", "s.json")
+        report = self.run_json("fit", "heights.csv", "--control-points", "8", "--correct", "off", "--base", "s.json",
+                               "-o", "r.csv")
+        self.assertEqual(report["input"]["cloud"]["base"], "surface")
+        # u is that of the feet, over the box of all of them; feet are off by the tolerance at most, 0.02 of 2 in x.
+        rows = self.read_csv((self.folder / "r.csv").read_text())
+        along = [(row["x"] - 100) / 2 + 0.4 * (row["y"] - 50) / 3 for row in rows]
+        low, high = min(along), max(along)
+        for row, at in zip(rows, along):
+            self.assertAlmostEqual(row["u"], (at - low) / (high - low), delta=0.03)
+
     def test_derivatives_are_by_x_and_y(self):
         for shear, f in (("u:0.4", front), ("v:-0.3", lambda u, v: math.tanh(12 * (v - 0.3 * u - 0.3)))):
             with self.subTest(shear=shear):
