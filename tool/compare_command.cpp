@@ -46,9 +46,7 @@ int run_compare(const CompareArguments& arguments) {
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet);
   terminal.report({.stage = "read"});
-  Control control;
-  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
-  control.stop = stop.token();
+  const Control control = terminal.control(stop.token());
   const FitInput input = read_fit_input(arguments.input, arguments.choices, control);
   if (arguments.choices.feature_file)
     options.fit.user_features = read_feature_file(*arguments.choices.feature_file, input.points.map);

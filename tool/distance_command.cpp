@@ -115,9 +115,7 @@ int run_distance(const DistanceArguments& arguments) {
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, 0);
   terminal.report({.stage = "read"});
-  Control control;
-  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
-  control.stop = stop.token();
+  const Control control = terminal.control(stop.token());
 
   const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
   const Surface surface = surface_in_space(

@@ -274,9 +274,7 @@ int run_fit(const FitArguments& arguments) {
   TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
 
   terminal.report({.stage = "read"});
-  Control control;
-  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
-  control.stop = stop.token();
+  Control control = terminal.control(stop.token());
   control.time_limit = choices.time_limit.value_or(0);
   FitInput input = read_fit_input(arguments.input, choices, control);
   for (const OutputFile& file : files) {

@@ -111,9 +111,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, arguments.choices.time_limit.value_or(0));
   terminal.report({.stage = "read"});
-  Control control;
-  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
-  control.stop = stop.token();
+  Control control = terminal.control(stop.token());
   control.time_limit = arguments.choices.time_limit.value_or(0);
   const CurvePoints points = read_points(arguments);
   CurveFitOptions options = curve_options(arguments);

@@ -72,9 +72,7 @@ int run_parameterize(const ParameterizeArguments& arguments) {
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
   if (mesh == nullptr)
     throw InvalidInput(arguments.input + ": holds no mesh; parameterize maps meshes (.ply .obj .off .stl)");
-  Control control;
-  if (terminal.active()) control.progress = [&](const Progress& p) { terminal.report(p); };
-  control.stop = stop.token();
+  const Control control = terminal.control(stop.token());
   FitChoices choices = arguments.choices;
   choices.new_parameters = true;
   MappedMesh mapped;

@@ -72,6 +72,13 @@ void TerminalProgress::report(const Progress& progress) {
   drawn_ = true;
 }
 
+Control TerminalProgress::control(std::stop_token stop) {
+  Control control;
+  if (active_) control.progress = [this](const Progress& progress) { report(progress); };
+  control.stop = std::move(stop);
+  return control;
+}
+
 void TerminalProgress::clear() {
   if (!drawn_) return;
   std::fputs("\r\033[K", stderr);

@@ -1,6 +1,7 @@
 // Progress on standard error: one line that is drawn over, only on a terminal.
 #pragma once
 #include <chrono>
+#include <stop_token>
 #include <string>
 
 #include "knotfit/control.h"
@@ -18,7 +19,8 @@ class TerminalProgress {
   ~TerminalProgress() { clear(); }
   TerminalProgress(const TerminalProgress&) = delete;
   TerminalProgress& operator=(const TerminalProgress&) = delete;
-  bool active() const { return active_; }
+  /// Work whose progress is reported here and that this token stops; outlived by this.
+  Control control(std::stop_token stop);
   void report(const Progress& progress);
   void clear();
 
