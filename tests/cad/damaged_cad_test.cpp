@@ -9,7 +9,6 @@
 #include "formats/support.h"
 #include "knotfit/cad.h"
 #include "knotfit/curve_io.h"
-#include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
 
@@ -130,23 +129,7 @@ TEST_F(DamagedCad, BytesChangedAtRandom) {
   Random random;
   for (const Sample& s : samples())
     for (int k = 0; k < damages(); ++k) {
-      std::string bytes = s.bytes;
-      for (int change = random.integer(1, 3); change > 0 && !bytes.empty(); --change) {
-        const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
-        switch (random.integer(0, 3)) {
-          case 0:
-            bytes[at] = static_cast<char>(random.integer(0, 255));
-            break;
-          case 1:
-            bytes[at] = "0123456789#$*'(),.;=-EA \n"[random.integer(0, 24)];
-            break;
-          case 2:
-            bytes.erase(at, static_cast<std::size_t>(random.integer(1, 5)));
-            break;
-          default:
-            bytes.insert(at, bytes.substr(at / 2, static_cast<std::size_t>(random.integer(1, 5))));
-        }
-      }
+      const std::string bytes = damaged(s.bytes, random, "0123456789#$*'(),.;=-EA \n", 3, 5);
       try_reading(s.name, bytes);
       if (HasFailure()) {
         FAIL() << s.name << ", change " << k << ":\n" << bytes;

@@ -1,7 +1,6 @@
 // Damaged files: an error or a right result, and never more memory than the file's size allows.
 #include "allocation_watch.h"
 #include "cloud_files.h"
-#include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
 
@@ -113,27 +112,13 @@ TEST(DamagedFiles, TruncatedSamplesAtEvery64thByte) {
 }
 
 TEST(DamagedFiles, TenThousandRandomChangesOfEach) {
+  using namespace std::string_view_literals;
+  constexpr std::string_view kAlphabet = "0123456789eE+-. \n,;\t#\"()[]{}naif\0"sv;
   Random random;
   for (const Sample& s : samples()) {
     int good = 0;
     for (int k = 0; k < 10000; ++k) {
-      std::string bytes = s.bytes;
-      for (int change = random.integer(1, 4); change > 0 && !bytes.empty(); --change) {
-        const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
-        switch (random.integer(0, 3)) {
-          case 0:
-            bytes[at] = static_cast<char>(random.integer(0, 255));
-            break;
-          case 1:
-            bytes[at] = "0123456789eE+-. \n,;\t#\"()[]{}naif"[random.integer(0, 32)];
-            break;
-          case 2:
-            bytes.erase(at, static_cast<std::size_t>(random.integer(1, 9)));
-            break;
-          default:
-            bytes.insert(at, bytes.substr(at / 2, static_cast<std::size_t>(random.integer(1, 9))));
-        }
-      }
+      const std::string bytes = damaged(s.bytes, random, kAlphabet, 4, 9);
       good += try_reading(s.name, bytes);
       if (HasFatalFailure() || HasNonfatalFailure()) FAIL() << s.name << ":\n" << bytes;
     }

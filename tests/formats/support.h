@@ -20,6 +20,7 @@
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
 #include "support/expect_throw.h"
+#include "support/random_splines.h"
 namespace knotfit::test {
 
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -123,6 +124,30 @@ std::string items(const std::vector<double>& values, bool big_endian = false) {
 
 inline std::string doubles(const std::string& shape, const std::vector<double>& values) {
   return npy(npy_dictionary("<f8", shape), items<double>(values));
+}
+
+/// The bytes after 1 to `changes` changes: one becomes any byte, or one of the alphabet; up to `run` of them go, or are
+/// put in again further on.
+inline std::string damaged(std::string bytes, Random& random, std::string_view alphabet, int changes,
+                           int run) {
+  for (int change = random.integer(1, changes); change > 0 && !bytes.empty(); --change) {
+    const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
+    switch (random.integer(0, 3)) {
+      case 0:
+        bytes[at] = static_cast<char>(random.integer(0, 255));
+        break;
+      case 1:
+        bytes[at] =
+            alphabet[static_cast<std::size_t>(random.integer(0, static_cast<int>(alphabet.size()) - 1))];
+        break;
+      case 2:
+        bytes.erase(at, static_cast<std::size_t>(random.integer(1, run)));
+        break;
+      default:
+        bytes.insert(at, bytes.substr(at / 2, static_cast<std::size_t>(random.integer(1, run))));
+    }
+  }
+  return bytes;
 }
 
 /// Equal, NaN equal to NaN.
