@@ -4,10 +4,10 @@
 
 #include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
-#include "knotfit/threads.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 #include "support/sampling.h"
+#include "support/two_threads.h"
 namespace knotfit {
 namespace {
 
@@ -134,11 +134,7 @@ TEST(ClosestPoint, SameBitsForOneAndTwoThreads) {
   Random random;
   const Surface s = random_surface(random, 3, Ends::clamped, 5);
   const std::vector<double> points = points_around(random, s, 2000, 0.2);
-  set_thread_count(1);
-  const ClosestPoints one = closest_points(s, points);
-  set_thread_count(2);
-  const ClosestPoints two = closest_points(s, points);
-  set_thread_count(0);
+  const auto [one, two] = on_one_and_two_threads([&] { return closest_points(s, points); });
   EXPECT_EQ(one.uv, two.uv);
   EXPECT_EQ(one.distances, two.distances);
 }

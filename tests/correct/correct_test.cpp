@@ -5,10 +5,10 @@
 #include "fit/problem.h"
 #include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
-#include "knotfit/threads.h"
 #include "parameterize/mesh_support.h"
 #include "support/expect_throw.h"
 #include "support/sampling.h"
+#include "support/two_threads.h"
 namespace knotfit {
 namespace {
 
@@ -100,11 +100,8 @@ TEST(Correction, SameBitsForOneAndTwoThreads) {
   const Mapped m = ridge(40, 9);
   CorrectionOptions options;
   options.rounds = 12;
-  set_thread_count(1);
-  const CorrectionResult one = correct_parameters(m.mesh, m.uv, m.knots, m.knots, options);
-  set_thread_count(2);
-  const CorrectionResult two = correct_parameters(m.mesh, m.uv, m.knots, m.knots, options);
-  set_thread_count(0);
+  const auto [one, two] =
+      on_one_and_two_threads([&] { return correct_parameters(m.mesh, m.uv, m.knots, m.knots, options); });
   EXPECT_EQ(one.uv, two.uv);
   EXPECT_EQ(one.surface, two.surface);
   EXPECT_EQ(one.signed_distances, two.signed_distances);

@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 
 #include "knotfit/evaluate.h"
-#include "knotfit/threads.h"
 #include "support/random_splines.h"
+#include "support/two_threads.h"
 namespace knotfit::correction {
 namespace {
 
@@ -130,11 +130,8 @@ TEST(TangentSystem, SameBitsForOneAndTwoThreads) {
   Random random;
   const Problem p = random_problem(random, 3, 3, 9, 7, true);
   const TangentSystem system(p.u, p.v, 1);
-  set_thread_count(1);
-  const auto one = system.solve(p.points(), 1e-9, p.gradient, p.hinge);
-  set_thread_count(2);
-  const auto two = system.solve(p.points(), 1e-9, p.gradient, p.hinge);
-  set_thread_count(0);
+  const auto [one, two] =
+      on_one_and_two_threads([&] { return system.solve(p.points(), 1e-9, p.gradient, p.hinge); });
   EXPECT_EQ(one->net(), two->net());
 }
 

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "knotfit/errors.h"
-#include "knotfit/threads.h"
 #include "mesh_support.h"
 #include "support/expect_throw.h"
+#include "support/two_threads.h"
 namespace knotfit {
 namespace {
 
@@ -118,11 +118,7 @@ TEST(ParameterizeMesh, NamesBadOptionsAndMeshes) {
 
 TEST(ParameterizeMesh, GivesTheSameBitsForOneAndTwoThreads) {
   const Mesh mesh = test::dome(9, 36, 1);
-  set_thread_count(1);
-  const MeshMap one = parameterize_mesh(mesh);
-  set_thread_count(2);
-  const MeshMap two = parameterize_mesh(mesh);
-  set_thread_count(0);
+  const auto [one, two] = test::on_one_and_two_threads([&] { return parameterize_mesh(mesh); });
   EXPECT_EQ(one.uv, two.uv);
   EXPECT_EQ(one.corners, two.corners);
   EXPECT_EQ(one.omega, two.omega);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "knotfit/threads.h"
 #include "pipeline/fits.h"
 #include "place/shares.h"
+#include "support/two_threads.h"
 namespace knotfit::test {
 namespace {
 
@@ -228,11 +228,7 @@ TEST(Results, DoNotDependOnTheThreads) {
   const ParameterizedPoints points = synthetic_points("ridge", 9000);
   FitOptions options = to_tolerance(0.02);
   options.between = true;
-  set_thread_count(1);
-  const FitResult one = fit_surface(points, options);
-  set_thread_count(2);
-  const FitResult two = fit_surface(points, options);
-  set_thread_count(0);
+  const auto [one, two] = on_one_and_two_threads([&] { return fit_surface(points, options); });
   EXPECT_EQ(one.surface, two.surface);
   EXPECT_EQ(one.errors, two.errors);
   EXPECT_EQ(one.condition, two.condition);

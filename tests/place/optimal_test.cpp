@@ -7,9 +7,9 @@
 #include "fit/problem.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/place.h"
-#include "knotfit/threads.h"
 #include "place/relocate.h"
 #include "support/synthetic.h"
+#include "support/two_threads.h"
 namespace knotfit::test {
 namespace {
 
@@ -191,11 +191,8 @@ TEST(Optimal, SameKnotsForOneAndTwoThreads) {
   const ParameterizedPoints points = synthetic_points("peaks", 3000);
   PlacementOptions options;
   options.interior_u = options.interior_v = 5;
-  set_thread_count(1);
-  const InteriorKnots one = place_knots("optimal", points, options).knots;
-  set_thread_count(2);
-  const InteriorKnots two = place_knots("optimal", points, options).knots;
-  set_thread_count(0);
+  const auto [one, two] =
+      on_one_and_two_threads([&] { return place_knots("optimal", points, options).knots; });
   EXPECT_EQ(one, two);
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "knotfit/fit_least_squares.h"
-#include "knotfit/threads.h"
 #include "refine/searches.h"
+#include "support/two_threads.h"
 namespace knotfit::test {
 namespace {
 
@@ -82,11 +82,7 @@ TEST(Insertion, FollowsTheFeatureMeasure) {
 TEST(Insertion, DoesNotDependOnTheThreads) {
   const ParameterizedPoints points = synthetic_points("step", 5000);
   const RefineOptions options = by_insertion(1e-2 * synthetic_diagonal(points));
-  set_thread_count(1);
-  const RefineResult one = refine_to_tolerance(points, options);
-  set_thread_count(2);
-  const RefineResult two = refine_to_tolerance(points, options);
-  set_thread_count(0);
+  const auto [one, two] = on_one_and_two_threads([&] { return refine_to_tolerance(points, options); });
   EXPECT_EQ(one.surface, two.surface);
   EXPECT_EQ(one.fits, two.fits);
 }

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "fit/scattered.h"
-#include "knotfit/threads.h"
 #include "knotfit/verify.h"
 #include "place/shares.h"
 #include "refine/cover.h"
 #include "refine/guard.h"
 #include "refine/minimax.h"
 #include "refine/searches.h"
+#include "support/two_threads.h"
 #include "verify/local_reference.h"
 namespace knotfit::test {
 namespace {
@@ -208,11 +208,7 @@ TEST(OptimalSearch, IsNotPutOffByClusters) {
 TEST(OptimalSearch, SameSurfaceForOneAndTwoThreads) {
   const ParameterizedPoints points = synthetic_points("franke", 3000);
   const RefineOptions options = to_max_error(3e-3 * synthetic_diagonal(points), "optimal");
-  set_thread_count(1);
-  const RefineResult one = refine_to_tolerance(points, options);
-  set_thread_count(2);
-  const RefineResult two = refine_to_tolerance(points, options);
-  set_thread_count(0);
+  const auto [one, two] = on_one_and_two_threads([&] { return refine_to_tolerance(points, options); });
   EXPECT_EQ(one.surface, two.surface);
   EXPECT_EQ(one.fits, two.fits);
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "knotfit/errors.h"
-#include "knotfit/threads.h"
 #include "refine/searches.h"
+#include "support/two_threads.h"
 namespace knotfit::test {
 namespace {
 
@@ -173,11 +173,7 @@ TEST(SizeSearch, WorksOnGridsAndStripsOfFewLines) {
 TEST(SizeSearch, DoesNotDependOnTheThreads) {
   const ParameterizedPoints points = synthetic_points("ridge", 9000);
   const RefineOptions options = to_max_error(5e-3 * synthetic_diagonal(points));
-  set_thread_count(1);
-  const RefineResult one = refine_to_tolerance(points, options);
-  set_thread_count(2);
-  const RefineResult two = refine_to_tolerance(points, options);
-  set_thread_count(0);
+  const auto [one, two] = on_one_and_two_threads([&] { return refine_to_tolerance(points, options); });
   EXPECT_EQ(one.surface, two.surface);
   EXPECT_EQ(one.error, two.error);
   EXPECT_EQ(one.fits, two.fits);

@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "knotfit/threads.h"
 #include "support/synthetic.h"
+#include "support/two_threads.h"
 namespace knotfit::verify {
 namespace {
 
@@ -77,11 +77,7 @@ TEST(DistinctPoints, OfHugeValuesStayFinite) {
 TEST(DistinctPoints, SameBitsForOneAndTwoThreads) {
   ParameterizedPoints points = test::synthetic_points("franke", 100000);
   for (double& x : points.uv) x = std::round(x * 400) / 400;
-  set_thread_count(1);
-  const DistinctPoints one = distinct_points(points);
-  set_thread_count(2);
-  const DistinctPoints two = distinct_points(points);
-  set_thread_count(0);
+  const auto [one, two] = test::on_one_and_two_threads([&] { return distinct_points(points); });
   EXPECT_EQ(one.u, two.u);
   EXPECT_EQ(one.v, two.v);
   EXPECT_EQ(one.values, two.values);
