@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Standard_Failure.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <ostream>
 
 #include "formats/cad/occt.h"
@@ -37,19 +35,6 @@ bool same(const Surface& a, const Surface& b) {
   };
   return knots(a.knots_u(), b.knots_u()) && knots(a.knots_v(), b.knots_v()) &&
          same(a.net(), b.net(), a.scale());
-}
-
-/// OpenCASCADE's exceptions are no std::exception.
-template <class Action>
-auto translating(const std::string& path, const Action& action) {
-  try {
-    return action();
-  } catch (const Standard_Failure& failure) {
-    throw FileError(path, fmt::format("OpenCASCADE gave up: {} {}", failure.DynamicType()->Name(),
-                                      failure.GetMessageString()));
-  } catch (const std::bad_alloc&) {
-    throw FileError(path, "needs more memory than there is");
-  }
 }
 
 /// Reads `file` and compares. \throws WriteError  it is not what was to be written
@@ -91,8 +76,7 @@ void write_cad(const std::string& path, const std::vector<Surface>& surfaces, co
     Session session(options.unit);
     TopoDS_Shape shape;
     build_shape(surfaces, shape);
-    const std::string text = options.format == CadFormat::iges ? iges_text(shape, options, session)
-                                                               : step_text(shape, options, session);
+    const std::string text = file_text(shape, options, session);
     const auto write = [&](std::ostream& out) { out << text; };
     write_checked_file(path, force, write,
                        [&](const std::string& file) { check_written(file, path, surfaces, options); });
@@ -100,14 +84,9 @@ void write_cad(const std::string& path, const std::vector<Surface>& surfaces, co
 }
 
 std::vector<Surface> read_cad(const std::string& path, CadUnit unit) {
-  const FileBytes bytes = load_file(path);
-  const FileKind kind = kind_of(bytes.view(), path);
-  return translating(path, [&] {
-    Session session(unit);
-    TopoDS_Shape shape;
-    read_shape(path, kind, path, shape);
-    return surfaces_of(shape, path);
-  });
+  std::vector<Surface> surfaces;
+  with_shape_of(path, unit, [&](const TopoDS_Shape& shape) { surfaces = surfaces_of(shape, path); });
+  return surfaces;
 }
 
 }  // namespace knotfit

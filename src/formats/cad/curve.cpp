@@ -6,7 +6,6 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
-#include <Standard_Failure.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <ostream>
 
 #include "base/narrow.h"
@@ -31,18 +29,6 @@ namespace knotfit {
 namespace {
 
 using namespace cad;
-
-template <class Action>
-auto translating(const std::string& path, const Action& action) {
-  try {
-    return action();
-  } catch (const Standard_Failure& failure) {
-    throw FileError(path, fmt::format("OpenCASCADE gave up: {} {}", failure.DynamicType()->Name(),
-                                      failure.GetMessageString()));
-  } catch (const std::bad_alloc&) {
-    throw FileError(path, "needs more memory than there is");
-  }
-}
 
 TopoDS_Edge make_edge(const Curve& c) {
   if (c.dimension() != 3)
@@ -136,8 +122,7 @@ void write_cad_curve(const std::string& path, const Curve& curve, const CadOptio
   translating(path, [&] {
     Session session(options.unit);
     const TopoDS_Shape shape = make_edge(curve);
-    const std::string text = options.format == CadFormat::iges ? iges_text(shape, options, session)
-                                                               : step_text(shape, options, session);
+    const std::string text = file_text(shape, options, session);
     const auto check = [&](const std::string& file) {
       const FileBytes bytes = load_file(file);
       const FileKind kind = kind_of(bytes.view(), path);
@@ -153,14 +138,9 @@ void write_cad_curve(const std::string& path, const Curve& curve, const CadOptio
 }
 
 std::vector<Curve> read_cad_curves(const std::string& path, CadUnit unit) {
-  const FileBytes bytes = load_file(path);
-  const FileKind kind = kind_of(bytes.view(), path);
-  return translating(path, [&] {
-    Session session(unit);
-    TopoDS_Shape shape;
-    read_shape(path, kind, path, shape);
-    return curves_of(shape, path);
-  });
+  std::vector<Curve> curves;
+  with_shape_of(path, unit, [&](const TopoDS_Shape& shape) { curves = curves_of(shape, path); });
+  return curves;
 }
 
 }  // namespace knotfit

@@ -1,5 +1,6 @@
 // What the files of this folder pass each other. OpenCASCADE's headers stay in the .cpp files.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
+/// Does the action; what OpenCASCADE throws, which is no std::exception, becomes a FileError.
+void translating(const std::string& path, const std::function<void()>& action);
+
 /// "MM", "M", "INCH": OpenCASCADE's names.
 const char* unit_name(CadUnit unit);
 
@@ -44,6 +48,8 @@ bool is_valid(const TopoDS_Shape& shape, Index& faces);
 /// The file's whole text.
 std::string step_text(const TopoDS_Shape& shape, const CadOptions& options, Session& session);
 std::string iges_text(const TopoDS_Shape& shape, const CadOptions& options, Session& session);
+/// In the format of the options.
+std::string file_text(const TopoDS_Shape& shape, const CadOptions& options, Session& session);
 
 /// Numbers as short as they read back exactly, letters beyond ASCII as ISO 10303-21 wants them.
 std::string tidy_step(std::string_view text);
@@ -55,6 +61,10 @@ FileKind kind_of(std::string_view bytes, const std::string& path);
 /// The shapes of a file, in the session's unit. \param unit  the file's own
 /// \throws FileError  unreadable, or without a shape
 void read_shape(const std::string& file, FileKind kind, const std::string& path, TopoDS_Shape& shape);
+/// Takes what it wants of the shapes of a file, in a session of this unit.
+/// \throws FileError  see read_shape(), translating(), kind_of()
+void with_shape_of(const std::string& path, CadUnit unit,
+                   const std::function<void(const TopoDS_Shape&)>& take);
 /// The unit a file says it is in.
 /// \throws FileError  it names none of the three
 CadUnit unit_of(std::string_view bytes, FileKind kind, const std::string& path);

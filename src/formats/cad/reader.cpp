@@ -16,6 +16,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "formats/cad/occt.h"
+#include "formats/file_bytes.h"
 #include "knotfit/errors.h"
 namespace knotfit::cad {
 namespace {
@@ -75,6 +76,18 @@ void read_shape(const std::string& file, FileKind kind, const std::string& path,
     read_with<STEPControl_Reader>(file, path, "STEP", shape);
   else
     read_with<IGESControl_Reader>(file, path, "IGES", shape);
+}
+
+void with_shape_of(const std::string& path, CadUnit unit,
+                   const std::function<void(const TopoDS_Shape&)>& take) {
+  const FileBytes bytes = load_file(path);
+  const FileKind kind = kind_of(bytes.view(), path);
+  translating(path, [&] {
+    const Session session(unit);
+    TopoDS_Shape shape;
+    read_shape(path, kind, path, shape);
+    take(shape);
+  });
 }
 
 }  // namespace knotfit::cad

@@ -1,13 +1,18 @@
+#include <fmt/format.h>
+
 #include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPControl_Controller.hxx>
+#include <Standard_Failure.hxx>
 #include <UnitsMethods.hxx>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "formats/cad/occt.h"
+#include "knotfit/errors.h"
 namespace knotfit::cad {
 
 struct Session::State {
@@ -71,6 +76,22 @@ void Session::use_unit(CadUnit unit) {
 void Session::set(const char* name, const std::string& value) {
   state_->settings.emplace_back(name, Interface_Static::CVal(name));
   Interface_Static::SetCVal(name, value.c_str());
+}
+
+void translating(const std::string& path, const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Standard_Failure& failure) {
+    throw FileError(path, fmt::format("OpenCASCADE gave up: {} {}", failure.DynamicType()->Name(),
+                                      failure.GetMessageString()));
+  } catch (const std::bad_alloc&) {
+    throw FileError(path, "needs more memory than there is");
+  }
+}
+
+std::string file_text(const TopoDS_Shape& shape, const CadOptions& options, Session& session) {
+  return options.format == CadFormat::iges ? iges_text(shape, options, session)
+                                           : step_text(shape, options, session);
 }
 
 }  // namespace knotfit::cad
