@@ -36,8 +36,8 @@ void set_counters(benchmark::State& state, const ParameterizedPoints& points) {
 }
 
 /// Assembly, factor, solve and residuals of scattered points. Arguments: points, spans a direction.
-void BM_ScatteredFit(benchmark::State& state) {
-  const ParameterizedPoints points = test::synthetic_points("franke", state.range(0));
+void scattered_fit(benchmark::State& state, const char* surface) {
+  const ParameterizedPoints points = test::synthetic_points(surface, state.range(0));
   FitProblem problem(points, 3, 3, searching());
   InTurn knots(static_cast<int>(state.range(1)));
   for (auto _ : state) {
@@ -47,16 +47,13 @@ void BM_ScatteredFit(benchmark::State& state) {
   set_counters(state, points);
 }
 
+void BM_ScatteredFit(benchmark::State& state) {
+  scattered_fit(state, "franke");
+}
+
 /// Likewise of points in R^3.
 void BM_ScatteredFit3d(benchmark::State& state) {
-  const ParameterizedPoints points = test::synthetic_points("torus", state.range(0));
-  FitProblem problem(points, 3, 3, searching());
-  InTurn knots(static_cast<int>(state.range(1)));
-  for (auto _ : state) {
-    problem.solve(knots.next());
-    benchmark::DoNotOptimize(problem.phi());
-  }
-  set_counters(state, points);
+  scattered_fit(state, "torus");
 }
 
 /// A full grid, direction by direction. Arguments: lines a direction, spans a direction.

@@ -10,12 +10,6 @@ namespace {
 
 using Vector = std::vector<double>;
 
-double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 /// Control points, then log-spacings, as one vector of unknowns scaled to like curvature.
 class Unknowns {
  public:
@@ -46,9 +40,7 @@ class Unknowns {
     for (std::size_t i = 0; i < net_.size(); ++i) result.net_[i] += t * scale_[i] * direction[i];
     Vector step(direction.begin() + static_cast<Index>(net_.size()), direction.end());
     for (double& x : step) x *= t;
-    const KnotSpacings u(knots_.u), v(knots_.v);
-    result.knots_ = {u.moved(step.data(), 0.01).knots(),
-                     v.moved(step.data() + u.length.size(), 0.01).knots()};
+    result.knots_ = moved_knots(knots_, step.data(), 0.01);
     return result;
   }
   /// Largest move of a log-spacing.

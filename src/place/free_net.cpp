@@ -44,6 +44,12 @@ void add(std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
 FreeNet& FreeNet::operator+=(const FreeNet& o) {
   phi += o.phi;
   add(by_net, o.by_net);

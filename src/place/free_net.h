@@ -20,6 +20,8 @@ struct FreeNet {
 FreeNet free_net(const ParameterizedPoints& points, const Axis& u, const Axis& v,
                  const std::vector<double>& net, bool with_knots);
 
+double dot(const std::vector<double>& a, const std::vector<double>& b);
+
 /// Row sums of A^T W A, one a control point: bounds of its eigenvalues [Gershgorin; A >= 0].
 std::vector<double> net_row_sums(const ParameterizedPoints& points, const Axis& u, const Axis& v);
 

@@ -15,12 +15,6 @@ namespace {
 
 using Vector = std::vector<double>;
 
-double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 /// Two-loop recursion over the last moves of the knots [Nocedal06 7.4].
 class Lbfgs {
  public:
@@ -58,8 +52,7 @@ class Lbfgs {
 InteriorKnots moved(const InteriorKnots& knots, const Vector& step, double scale, double least_span) {
   Vector s = step;
   for (double& x : s) x *= scale;
-  const KnotSpacings u(knots.u), v(knots.v);
-  return {u.moved(s.data(), least_span).knots(), v.moved(s.data() + u.length.size(), least_span).knots()};
+  return moved_knots(knots, s.data(), least_span);
 }
 
 struct Axes {

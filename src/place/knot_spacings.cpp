@@ -52,6 +52,11 @@ KnotSpacings KnotSpacings::moved(const double* step, double least) const {
   return result;
 }
 
+InteriorKnots moved_knots(const InteriorKnots& knots, const double* step, double least) {
+  const KnotSpacings u(knots.u), v(knots.v);
+  return {u.moved(step, least).knots(), v.moved(step + u.length.size(), least).knots()};
+}
+
 void KnotSpacings::chain(std::vector<double>& matrix, std::size_t row, std::size_t column,
                          std::size_t stride) const {
   double u = 0;

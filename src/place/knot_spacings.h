@@ -22,6 +22,9 @@ struct KnotSpacings {
   void chain(std::vector<double>& matrix, std::size_t row, std::size_t column, std::size_t stride) const;
 };
 
+/// Both directions moved so. \param step  of u, then of v
+InteriorKnots moved_knots(const InteriorKnots& knots, const double* step, double least);
+
 /// Raises every length below `least` times the mean to it and shrinks the others in proportion.
 void raise_lengths(std::vector<double>& length, double least);
 
