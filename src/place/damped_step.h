@@ -29,4 +29,20 @@ bool damped_step(std::span<const double> matrix, std::span<const double> gradien
 double predicted_fall(std::span<const double> matrix, std::span<const double> gradient,
                       std::span<const double> step);
 
+/// Takes the trial where its fit lowers phi; the damping follows. The problem holds the fit of the trial either way.
+/// \param predicted  by the quadratic model   \return the relative fall of phi; 0: refused
+template <class Problem, class Knots>
+double take_if_lower(Problem& problem, const Knots& trial, double predicted, Knots& knots, double& phi,
+                     Damping& damping) {
+  if (!problem.solve(trial) || !(problem.phi() < phi)) {
+    damping.refuse();
+    return 0;
+  }
+  damping.accept(predicted > 0 ? (phi - problem.phi()) / predicted : 0);
+  const double fall = (phi - problem.phi()) / phi;
+  phi = problem.phi();
+  knots = trial;
+  return fall;
+}
+
 }  // namespace knotfit

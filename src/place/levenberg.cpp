@@ -67,27 +67,17 @@ double minimize_over_knots(FitProblem& problem, InteriorKnots& knots, const Leve
   for (int step = 0; step < options.steps && phi > 0; ++step) {
     if (options.stop && options.stop()) break;
     SpacingStep model(problem, knots, options.golub_pereyra);
-    bool accepted = false;
     double fall = 0;
     for (int refused = 0; refused < 10; ++refused) {
       if (!model.solve(damping.mu, 1.0)) {
         damping.mu *= 4;
         continue;
       }
-      const InteriorKnots trial = model.moved(options.least_span);
       const double predicted = model.predicted_fall();
-      if (problem.solve(trial) && problem.phi() < phi) {
-        damping.accept(predicted > 0 ? (phi - problem.phi()) / predicted : 0);
-        fall = (phi - problem.phi()) / phi;
-        phi = problem.phi();
-        knots = trial;
-        accepted = true;
-        break;
-      }
-      damping.refuse();
-      if (predicted < 1e-3 * options.fall * phi && refused > 1) break;
+      fall = take_if_lower(problem, model.moved(options.least_span), predicted, knots, phi, damping);
+      if (fall > 0 || (predicted < 1e-3 * options.fall * phi && refused > 1)) break;
     }
-    if (!accepted) {
+    if (!(fall > 0)) {
       problem.solve(knots);
       break;
     }

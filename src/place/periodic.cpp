@@ -67,23 +67,13 @@ double descend(CurveProblem& problem, std::vector<double>& knots, int steps,
     const std::span<const double> matrix(h.data(), n * n), gradient(g.data(), n);
     Eigen::VectorXd s(unknowns);
     const std::span<double> unknown(s.data(), n);
-    bool accepted = false;
     double fall = 0;
-    for (int refused = 0; refused < 10; ++refused) {
+    for (int refused = 0; refused < 10 && !(fall > 0); ++refused) {
       if (!damped_step(matrix, gradient, damping.mu, 1, unknown)) break;
-      const double predicted = predicted_fall(matrix, gradient, unknown);
-      const std::vector<double> trial = period.moved(s);
-      if (problem.solve(trial) && problem.phi() < phi) {
-        damping.accept(predicted > 0 ? (phi - problem.phi()) / predicted : 0);
-        fall = (phi - problem.phi()) / phi;
-        phi = problem.phi();
-        knots = trial;
-        accepted = true;
-        break;
-      }
-      damping.refuse();
+      fall = take_if_lower(problem, period.moved(s), predicted_fall(matrix, gradient, unknown), knots, phi,
+                           damping);
     }
-    if (!accepted) break;
+    if (!(fall > 0)) break;
     small = fall < 1e-4 ? small + 1 : 0;
   }
   problem.solve(knots);

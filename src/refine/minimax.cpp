@@ -6,6 +6,7 @@
 #include "base/clones.h"
 #include "base/parallel.h"
 #include "fit/scattered.h"
+#include "place/damped_step.h"
 #include "place/levenberg.h"
 namespace knotfit {
 namespace {
@@ -136,7 +137,7 @@ class Stage {
     if (!inner(state, 2 * options_.inner_rounds, 1e-4)) return false;
     keep(state);
     if (!options_.move_knots || (state.knots.u.empty() && state.knots.v.empty())) return true;
-    double mu = 1e-2, growth = 2;
+    Damping damping;
     for (int step = 0; step < options_.outer_steps; ++step) {
       if (state.max <= options_.enough || (options_.stop && options_.stop())) break;
       // The factor of the present weights, with the L_P state's own residual.
@@ -149,8 +150,8 @@ class Stage {
       const std::vector<double> weights = weights_;
       bool accepted = false;
       for (int refused = 0; refused < 6; ++refused) {
-        if (!model.solve(mu, 0.5)) {
-          mu *= 4;
+        if (!model.solve(damping.mu, 0.5)) {
+          damping.mu *= 4;
           continue;
         }
         NetState trial;
@@ -159,13 +160,11 @@ class Stage {
         if (inner(trial, options_.inner_rounds, 1e-3) && value_ < before) {
           state = std::move(trial);
           accepted = true;
-          mu = std::max(0.2 * mu, 1e-9);
-          growth = 2;
+          damping = {.mu = std::max(0.2 * damping.mu, 1e-9)};
           keep(state);
           break;
         }
-        mu *= growth;
-        growth = std::min(2 * growth, 64.0);
+        damping.refuse();
       }
       if (!accepted) {
         weights_ = weights;
