@@ -241,27 +241,6 @@ void complain(const std::string& message) {
   std::fprintf(stderr, "knotfit: %s\n", message.c_str());
 }
 
-// Every file is tried, so that one full disk does not cost the others.
-int write_outputs(const std::vector<OutputFile>& files, const FitWriter& writer, FitReport& report) {
-  int status = kReached;
-  for (const OutputFile& file : files) {
-    try {
-      writer.write(file);
-      report.outputs.push_back(file.path);
-    } catch (const FileError& e) {
-      complain(e.what());
-      if (status == kReached) status = kBadInput;
-    } catch (const InvalidInput& e) {
-      complain(e.what());
-      if (status == kReached) status = kBadInput;
-    } catch (const WriteError& e) {
-      complain(e.what());
-      status = kOther;
-    }
-  }
-  return status;
-}
-
 }  // namespace
 
 int run_fit(const FitArguments& arguments) {
@@ -331,7 +310,9 @@ int run_fit(const FitArguments& arguments) {
     terminal.clear();
     complain(result.message.empty() ? "no surface was found" : result.message);
   } else {
-    const int written = write_outputs(files, FitWriter(report, grid, arguments.output.force), report);
+    const FitWriter writer(report, grid, arguments.output.force);
+    const int written = write_each(
+        files, [&](const OutputFile& file) { writer.write(file); }, report.outputs);
     if (written != kReached) status = written;
     terminal.clear();
   }

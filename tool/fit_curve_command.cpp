@@ -135,19 +135,9 @@ int run_fit_curve(const CurveArguments& arguments) {
     std::fprintf(stderr, "knotfit: %s\n", result.message.c_str());
     return status;
   }
-  // Every file is tried, so that one full disk does not cost the others.
-  for (const OutputFile& file : files) {
-    try {
-      write_curve_output(file, report);
-      report.outputs.push_back(file.path);
-    } catch (const WriteError& e) {
-      std::fprintf(stderr, "knotfit: %s\n", e.what());
-      status = kOther;
-    } catch (const std::exception& e) {
-      std::fprintf(stderr, "knotfit: %s\n", e.what());
-      if (status != kOther) status = kBadInput;
-    }
-  }
+  const int written = write_each(
+      files, [&](const OutputFile& file) { write_curve_output(file, report); }, report.outputs);
+  if (written != kReached && status != kOther) status = written;
   report.seconds = seconds_since(start);
   if (arguments.json)
     print(curve_to_json(report) + "\n");

@@ -11,6 +11,7 @@
 #include <limits>
 #include <ostream>
 
+#include "exit_status.h"
 #include "knotfit/cad.h"
 #include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
@@ -194,6 +195,28 @@ void write_text_file(const std::string& path, bool force, const std::string& tex
 
 void write_picture_file(const OutputFile& file, bool force, const PictureInput& picture) {
   write_text_file(file.path, force, draw_picture(picture, file.extension));
+}
+
+int write_each(const std::vector<OutputFile>& files, const std::function<void(const OutputFile&)>& write,
+               std::vector<std::string>& written) {
+  int status = kReached;
+  const auto failed = [&](int with, const std::exception& e) {
+    std::fprintf(stderr, "knotfit: %s\n", e.what());
+    if (status == kReached || with == kOther) status = with;
+  };
+  for (const OutputFile& file : files) {
+    try {
+      write(file);
+      written.push_back(file.path);
+    } catch (const FileError& e) {
+      failed(kBadInput, e);
+    } catch (const InvalidInput& e) {
+      failed(kBadInput, e);
+    } catch (const WriteError& e) {
+      failed(kOther, e);
+    }
+  }
+  return status;
 }
 
 void print(const std::string& text) {

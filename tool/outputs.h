@@ -1,5 +1,6 @@
 // Output files: which there are by extension, checked before long work, written whole or not at all.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,6 +51,11 @@ double free_nodata(const Raster& raster);
 void write_raster_file(const std::string& path, bool force, Raster raster);
 void write_text_file(const std::string& path, bool force, const std::string& text);
 void write_picture_file(const OutputFile& file, bool force, const PictureInput& picture);
+
+/// Every file is tried, so that one full disk does not cost the others; what goes wrong is said on standard error.
+/// \param written  the paths of those that were  \return kReached, or the exit status of what went wrong
+int write_each(const std::vector<OutputFile>& files, const std::function<void(const OutputFile&)>& write,
+               std::vector<std::string>& written);
 
 /// Standard output, whole. \throws WriteError  it cannot take it
 void print(const std::string& text);
