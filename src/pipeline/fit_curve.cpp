@@ -245,8 +245,8 @@ Curve finished(const Curve& curve, bool closed) {
 }
 
 std::string message_of(const CurveFitResult& r) {
-  const std::string what = fmt::format("{} control points: RMS error {:.4g}, largest {:.4g}",
-                                       r.control_points, r.error.rms, r.error.max);
+  std::string what = fmt::format("{} control points: RMS error {:.4g}, largest {:.4g}", r.control_points,
+                                 r.error.rms, r.error.max);
   switch (r.status) {
     case Status::reached:
       return fmt::format("{}; the tolerance {:.4g} holds", what, r.tolerance);
