@@ -267,6 +267,12 @@ void add_mesh_options(CLI::App& app, FitChoices& c) {
       group, [&](const std::string& t) { c.omega = parse_not_negative(t); });
 }
 
+void add_reflections(CLI::App& app, bool& reflections) {
+  add_flag(app, "--reflections",
+           "Pictures show the surface with reflection lines: where they break or wave, so do its normals",
+           "Output", [&] { reflections = true; });
+}
+
 void add_samples(CLI::App& app, std::optional<int>& samples) {
   add(app, "--samples", "N", "Samples a knot span of .obj, .ply and .vts outputs; default 4", "Output",
       [&](const std::string& t) {
@@ -359,12 +365,18 @@ void add_fit(CLI::App& app, FitArguments& fit) {
       "none with "
       "--refine insert or --degree auto",
       "Meshes", [&](const std::string& t) { c.correct = parse_correct(t); });
+  add(app, "--fairness", "X",
+      "Weight of a correction against ruffles that do not turn back, in times of its own: 0 none, 10 a "
+      "fairer "
+      "surface that is farther from the data; default 1",
+      "Meshes", [&](const std::string& t) { c.fairness = parse_not_negative(t); });
   add_output_options(
       app, fit.output,
       "May repeat; by extension: .json the surface, .csv the residuals, .asc or .grd the fitted "
       "heights, .png .svg .pdf a picture, .obj .ply .vts the surface in triangles or as a grid, with errors, "
       ".step .stp .igs .iges the surface for CAD");
   add_samples(app, c.samples);
+  add_reflections(app, fit.reflections);
   add_cad_options(app, c.cad, "The unit of the data, for STEP and IGES outputs; default mm");
   const std::string output = "Output";
   add_cell(app, c.cell, "Cell size of an .asc output, or two as 30x25; default: the input raster's own grid");
@@ -470,6 +482,7 @@ void add_convert(CLI::App& app, ConvertArguments& convert) {
            "Cell size of an .asc output, or two as 30x25; default: the grid of the raster "
            "that was fitted");
   add_samples(app, convert.samples);
+  add_reflections(app, convert.reflections);
   add_cad_options(app, convert.cad, "The unit of STEP and IGES files, also of the input; default mm");
   add(app, "--grid", "NxM", "Places of a .csv output; default 100x100", "Output",
       [&](const std::string& t) { convert.grid = parse_pair(t, 2); });

@@ -90,6 +90,7 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
       case OutputKind::picture: {
         PictureInput picture;
         picture.surface = &document.surface;
+        picture.reflections = arguments.reflections;
         picture.title = picture_title(document, arguments.input);
         write_picture_file(file, force, picture);
         break;

@@ -68,6 +68,7 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
   for (auto* flag : {&c.fill_holes, &c.largest_part, &c.orient, &c.drop_degenerate, &c.new_parameters})
     if (!*flag) *flag = false;
   if (!c.correct) c.correct = -1;
+  if (!c.fairness) c.fairness = 1;
   if (!c.corners) c.corners = "auto";
   if (!c.base) c.base = "auto";
   if (!c.samples) c.samples = kSamplesPerSpan;
@@ -165,8 +166,8 @@ Table corrected_residuals(const MeshFit& fit) {
 
 class FitWriter {
  public:
-  FitWriter(const FitReport& report, const Raster& grid, bool force)
-      : report_(report), grid_(grid), force_(force) {}
+  FitWriter(const FitReport& report, const Raster& grid, bool force, bool reflections)
+      : report_(report), grid_(grid), force_(force), reflections_(reflections) {}
 
   void write(const OutputFile& file) const {
     const FitResult& result = report_.result;
@@ -215,12 +216,13 @@ class FitWriter {
     p.title = std::filesystem::path(report_.input.summary.path).filename().string() + ", " + verdict(report_);
     p.subtitle = "knotfit fit " + options_to_text(report_.choices);
     p.thin_places = result.between.thin_places;
+    p.reflections = reflections_;
     return p;
   }
 
   const FitReport& report_;
   const Raster& grid_;
-  bool force_;
+  bool force_, reflections_;
 };
 
 int exit_status(const FitResult& result) {
@@ -276,8 +278,9 @@ int run_fit(const FitArguments& arguments) {
   MeshFit corrected;
   try {
     if (rounds > 0) {
-      corrected = fit_mesh(input.mesh->mesh, *input.mesh->map, fit_options(choices, input),
-                           {.rounds = rounds}, control);
+      corrected =
+          fit_mesh(input.mesh->mesh, *input.mesh->map, fit_options(choices, input),
+                   {.rounds = rounds, .fairness = *choices.fairness * CorrectionOptions{}.fairness}, control);
       result = corrected.result;
       input.points = corrected.points;
       input.all_points = {};
@@ -310,7 +313,7 @@ int run_fit(const FitArguments& arguments) {
     terminal.clear();
     complain(result.message.empty() ? "no surface was found" : result.message);
   } else {
-    const FitWriter writer(report, grid, arguments.output.force);
+    const FitWriter writer(report, grid, arguments.output.force, arguments.reflections);
     const int written = write_each(
         files, [&](const OutputFile& file) { writer.write(file); }, report.outputs);
     if (written != kReached) status = written;

@@ -86,6 +86,7 @@ Json correction_of(const FitReport& r) {
             {"raw", folds.raw},
             {"flipped_triangles", folds.flipped},
             {"least_sine", number(folds.least_sine)},
+            {"normal_angle", number(folds.normal_angle)},
             {"covered", folds.covered},
             {"places", std::move(places)}}}};
 }

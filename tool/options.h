@@ -112,9 +112,10 @@ struct FitChoices {
   std::optional<bool> largest_part, orient, drop_degenerate, new_parameters;  ///< of meshes
   std::optional<std::string> corners;                                         ///< text of parse_corners
   std::optional<std::string> base;                                            ///< text of parse_base
-  std::optional<int> correct;   ///< rounds of parameter correction; 0: off, -1: auto
-  std::optional<double> omega;  ///< weight of the normals in the map
-  std::optional<int> samples;   ///< a span, of .obj, .ply and .vts outputs
+  std::optional<int> correct;      ///< rounds of parameter correction; 0: off, -1: auto
+  std::optional<double> fairness;  ///< of a correction, in times of the default
+  std::optional<double> omega;     ///< weight of the normals in the map
+  std::optional<int> samples;      ///< a span, of .obj, .ply and .vts outputs
   CadChoices cad;
 };
 
@@ -129,6 +130,7 @@ struct FitArguments {
   std::string knots_from;    ///< surface file whose knots (and degree) are used
   std::string options_from;  ///< file whose stored options are repeated
   OutputOptions output;
+  bool reflections = false;  ///< in pictures
   int threads = 0;
   bool quiet = false, json = false;
 };
@@ -212,6 +214,7 @@ struct ConvertArguments {
   std::optional<IntegerPair> grid;
   std::optional<int> samples;
   OutputOptions output;
+  bool reflections = false;  ///< in pictures
 };
 
 struct ListArguments {

@@ -238,6 +238,7 @@ const std::vector<Row>& table() {
           "correct", &FitChoices::correct, [](const int& n) { return Json(correct_text(n)); },
           [](const Json& j) { return parse_correct(j.get<std::string>()); },
           [](const int& n) { return n < 0 ? std::string() : "--correct " + correct_text(n); }),
+      number("fairness", &FitChoices::fairness, parse_not_negative, 1, "--fairness"),
       flag("new_parameters", &FitChoices::new_parameters, false, "--new-parameters"),
       row<std::string>(
           "corners", &FitChoices::corners, [](const std::string& t) { return Json(t); },

@@ -23,6 +23,9 @@ struct CorrectionOptions {
   int rounds = 30;  ///< 0: the plain fit at the parameters given
   /// Rows that keep the surface from folding over the mesh, of the tangent step.
   bool hinge = true;
+  /// Weight of curvature data against ruffles that do not turn back, of the tangent step; 0: none. Ten times the
+  /// default is fairer at the price of larger distances.
+  double fairness = 1e-3;
   bool slide = true;           ///< boundary vertices slide along their side
   bool round_corners = false;  ///< and past its ends; else the four corners stay
   /// kappa: in the second half of the rounds points weigh 1 + kappa min(distance / RMS, 8)^2. 0.1 suits an RMS

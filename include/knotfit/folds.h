@@ -20,6 +20,9 @@ struct FoldReport {
   /// Shares of the square where S_u x S_v points against the mesh: against the mean unit normal of the mesh over
   /// +-4 samples, about a span; against the normal of the triangle there.
   double blurred = 0, raw = 0;
+  /// Angle between the surface's normal and that mean normal, RMS over the square, degrees: ruffles that do not turn
+  /// back show here.
+  double normal_angle = 0;
   Index flipped = 0;  ///< triangles turned over or flat in the parameters, by exact predicates
   /// Least |S_u x S_v| over its mean, and over |S_u||S_v|; shares below 0.05 of either.
   double least_area = 0, least_sine = 0;

@@ -18,6 +18,9 @@ struct PictureInput {
   std::string unit;                    ///< of errors, for the legend; may be empty
   std::string title, subtitle;         ///< drawn on top
   std::vector<ThinPlace> thin_places;  ///< hatched in the parameter plane
+  /// The surface shows reflection lines in place of errors: a row of lamps 10 degrees apart, as its normals mirror
+  /// them to the eye. The parameter plane stays as it is.
+  bool reflections = false;
   std::vector<FoldPlace> fold_places;  ///< circled in the parameter plane, as large as their share of it
 };
 struct PictureOptions {

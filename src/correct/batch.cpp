@@ -7,6 +7,8 @@
 namespace knotfit::correction {
 namespace {
 
+// Vertices a cell: below the first a mesh shows no curvature, from the second on all of it.
+constexpr double kCoarse = 4, kFine = 15;
 constexpr double kMostHinge = 1e4, kHingeGrow = 3, kHingeDecay = 0.7;
 
 /// RMS and maximum over the data.
@@ -51,6 +53,8 @@ Batch::Batch(HoldingMesh& mesh, const TangentSystem& system, const SpanTable& u,
     position_.push_back(mesh.position[k]);
     slide_.push_back(slides_[k]);
   }
+  const double a_cell = static_cast<double>(mesh.own) / static_cast<double>(u.spans() * v.spans());
+  resolved_ = std::clamp((a_cell - kCoarse) / (kFine - kCoarse), 0.0, 1.0);
   steps_.longest_u = u.mean_length();
   steps_.longest_v = v.mean_length();
   gather();
@@ -64,7 +68,7 @@ void Batch::begin_round() {
 
 std::optional<Surface> Batch::plain_fit() const {
   return system_.solve({uv_, position_, points_.weight, {}}, options_.smoothing,
-                       gradient_data(mesh_, u_, v_, options_.gradient), {});
+                       {gradient_data(mesh_, u_, v_, options_.gradient), {}});
 }
 
 Index Batch::move(const CellPolynomials& surface) {
@@ -121,7 +125,7 @@ std::optional<Surface> Batch::step(const CellPolynomials& surface, double tangen
   std::vector<Sym3> m;
   if (options_.step == CorrectionStep::tangent) m = matrices(surface, tangential);
   return system_.solve({uv_, position_, weights, m}, options_.smoothing,
-                       gradient_data(mesh_, u_, v_, options_.gradient), hinge.rows);
+                       {gradient_data(mesh_, u_, v_, options_.gradient), hinge.rows, hinge.curvature});
 }
 
 std::optional<KnotJacobian> Batch::knot_jacobian(const Surface& surface, double tangential,
@@ -129,8 +133,8 @@ std::optional<KnotJacobian> Batch::knot_jacobian(const Surface& surface, double 
                                                  const std::vector<double>& weights) const {
   const std::vector<Sym3> m = matrices(CellPolynomials(surface), tangential);
   return system_.knot_jacobian({uv_, position_, weights, m}, options_.smoothing,
-                               gradient_data(mesh_, u_, v_, options_.gradient), hinge.rows, surface,
-                               points_.data);
+                               {gradient_data(mesh_, u_, v_, options_.gradient), hinge.rows, hinge.curvature},
+                               surface, points_.data);
 }
 
 Verdict Batch::judge(const CellPolynomials& surface) const {
@@ -160,9 +164,11 @@ Verdict Batch::judge(const CellPolynomials& surface) const {
   return verdict;
 }
 
-HingeState Batch::hinge(const CellPolynomials& surface, std::vector<double>& weights, bool renew) const {
-  if (!options_.hinge || options_.step != CorrectionStep::tangent) return {};
-  HingeState state = hinge_rows(surface, reference_, weights);
+HingeState Batch::hinge(const CellPolynomials& surface, std::vector<double>& weights, bool renew,
+                        double fairness) const {
+  if (options_.step != CorrectionStep::tangent) return {};
+  HingeState state = hinge_rows(surface, reference_, weights, fairness * resolved_ * options_.fairness);
+  if (!options_.hinge) state.rows.clear();
   if (renew)
     for (std::size_t c = 0; c < weights.size(); ++c)
       weights[c] = state.cell_folds[c] ? std::min(kMostHinge, weights[c] * kHingeGrow)

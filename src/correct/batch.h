@@ -11,6 +11,8 @@
 #include "knotfit/correct.h"
 namespace knotfit::correction {
 
+inline constexpr double kLaterFairness = 0.3;  ///< share of the fairness in the second half of the rounds
+
 /// A surface judged: distances after one free foot point step, and folds.
 struct Verdict {
   double rms = 0, max = 0;
@@ -46,7 +48,9 @@ class Batch {
                                             const std::vector<double>& weights) const;
   Verdict judge(const CellPolynomials& surface) const;
   /// \param weights  of the cells; renewed where asked: cells that fold weigh more from now on
-  HingeState hinge(const CellPolynomials& surface, std::vector<double>& weights, bool renew) const;
+  /// \param fairness  share of the option's that is charged
+  HingeState hinge(const CellPolynomials& surface, std::vector<double>& weights, bool renew,
+                   double fairness) const;
 
   void set_parameters(std::vector<double> uv);
   bool is_data(std::size_t point) const { return base_[point] > 0; }
@@ -69,6 +73,7 @@ class Batch {
   std::vector<double> free_;  ///< foot points that no guard holds: the distances are measured there
   FootPointOptions steps_;
   Reference reference_;
+  double resolved_;  ///< how far the mesh shows the curvature of a surface of these knots, 0 to 1
 };
 
 /// from + share (to - from), over the same knots.

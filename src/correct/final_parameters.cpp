@@ -34,17 +34,72 @@ class Stars {
   std::vector<std::size_t> begin_, triangle_;
 };
 
+/// What lies right in `first` and not in `uv`.
+bool turned(const std::array<std::int32_t, 3>& t, const std::vector<double>& first,
+            const std::vector<double>& uv) {
+  constexpr double least = 1e-14;
+  return area(uv, t) <= least && area(first, t) > 0;
+}
+
+/// The vertices at most `rings` edges from a triangle.
+std::vector<std::int32_t> around(Faces faces, const Stars& stars, std::size_t triangle, int rings) {
+  std::vector<std::int32_t> found(faces[triangle].begin(), faces[triangle].end());
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<std::int32_t> inner = found;
+    for (const std::int32_t k : inner)
+      for (const std::size_t i : stars.of(k)) found.insert(found.end(), faces[i].begin(), faces[i].end());
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+  return found;
+}
+
+/// Lays a patch around each turned triangle anew, its vertices at the means of their neighbours [Tutte63]: within an
+/// outline that is convex enough none is turned over. The smallest patch that leaves fewer of them is taken.
+bool lay_anew(Faces faces, const Stars& stars, std::span<const Slide> slide, const std::vector<double>& first,
+              std::vector<double>& uv) {
+  constexpr int most_rings = 64, sweeps = 400;
+  bool all = true;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    bool done = !turned(faces[f], first, uv);
+    for (int rings = 1; rings <= most_rings && !done; rings *= 2) {
+      const std::vector<std::int32_t> patch = around(faces, stars, f, rings);
+      const auto bad = [&] {
+        int count = 0;
+        for (const std::int32_t k : patch)
+          for (const std::size_t i : stars.of(k)) count += turned(faces[i], first, uv);
+        return count;
+      };
+      const int before = bad();
+      std::vector<double> kept;
+      for (const std::int32_t k : patch) kept.insert(kept.end(), {uv[2 * k], uv[2 * k + 1]});
+      for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (const std::int32_t k : patch) {
+          double mean[2] = {0, 0}, count = 0;
+          for (const std::size_t i : stars.of(k))
+            for (const std::int32_t j : faces[i])
+              if (j != k) {
+                count += 1;
+                for (int d = 0; d < 2; ++d) mean[d] += uv[2 * j + d];
+              }
+          if (slide[k] == Slide::free || slide[k] == Slide::along_u) uv[2 * k] = mean[0] / count;
+          if (slide[k] == Slide::free || slide[k] == Slide::along_v) uv[2 * k + 1] = mean[1] / count;
+        }
+      done = !turned(faces[f], first, uv) && bad() < before;
+      for (std::size_t n = 0; n < patch.size() && !done; ++n) std::copy_n(&kept[2 * n], 2, &uv[2 * patch[n]]);
+    }
+    all = all && done;
+  }
+  return all;
+}
+
 }  // namespace
 
 bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<double>& first,
               std::vector<double>& uv) {
   constexpr int most_passes = 200;
-  constexpr double least = 1e-14;
   constexpr double ways[] = {1, 0.5, 0.25, 1.5};
   const Stars stars(faces, slide.size());
-  auto turned = [&](const std::array<std::int32_t, 3>& t) {
-    return area(uv, t) <= least && area(first, t) > 0;
-  };
   // The smallest area of a vertex's triangles, those of the map as units.
   auto smallest = [&](std::int32_t k) {
     double result = INFINITY;
@@ -56,7 +111,7 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
   for (int pass = 0; pass < most_passes; ++pass) {
     std::vector<std::int32_t> vertices;
     for (const auto& t : faces)
-      if (turned(t)) {
+      if (turned(t, first, uv)) {
         vertices.insert(vertices.end(), t.begin(), t.end());
         // One that cannot be turned back by its own vertices pulls at those around them.
         if (pass % 4 == 3)
@@ -92,9 +147,9 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
       }
       uv[2 * k] = best[0], uv[2 * k + 1] = best[1];
     }
-    if (!moved && pass % 4 == 3) return false;
+    if (!moved && pass % 4 == 3) break;
   }
-  return false;
+  return lay_anew(faces, stars, slide, first, uv);
 }
 
 std::vector<double> final_parameters(Faces faces, const std::vector<Vec3>& position,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/parallel.h"
 #include "correct/map_samples.h"
@@ -113,11 +114,14 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
   const double mean_area = area_sum / covered;
   std::vector<char> folded(static_cast<std::size_t>(n), 0);
   std::vector<double> turned(static_cast<std::size_t>(n), 0.0);
+  double angles = 0;
   report.least_area = report.least_sine = INFINITY;
   for (Index q = 0; q < n; ++q) {
     if (!use[q]) continue;
     const double w = weight[q] /= covered;
     turned[q] = dot(unit(own[q]), at(&means[3 * q]));
+    const double angle = std::acos(std::clamp(dot(unit(own[q]), unit(at(&means[3 * q]))), -1.0, 1.0));
+    angles += w * angle * angle;
     folded[q] = turned[q] < 0;
     if (folded[q]) report.blurred += w;
     if (dot(own[q], at(&normals[3 * q])) < 0) report.raw += w;
@@ -127,6 +131,7 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
     if (relative < 0.05) report.small_area += w;
     if (sine[q] < 0.05) report.small_sine += w;
   }
+  report.normal_angle = std::sqrt(angles) * 180 / std::numbers::pi;
   report.places = places(grid, folded, turned, weight, surface);
   return report;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/parallel.h"
 namespace knotfit::correction {
@@ -59,6 +60,19 @@ struct SignedSingularValues {
   double theta() const { return (std::atan2(h, e) - std::atan2(g, f)) / 2; }
 };
 
+/// Where the mean over +-reach places, clipped, stands for.
+std::vector<double> window_centres(const std::vector<double>& places, Index reach) {
+  std::vector<double> centres;
+  const auto n = static_cast<Index>(places.size());
+  for (Index k = 0; k < n; ++k) {
+    const Index from = std::max<Index>(0, k - reach), to = std::min(n - 1, k + reach);
+    double sum = 0;
+    for (Index i = from; i <= to; ++i) sum += places[i];
+    centres.push_back(sum / static_cast<double>(to - from + 1));
+  }
+  return centres;
+}
+
 }  // namespace
 
 Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable& v, double aspect) {
@@ -113,19 +127,53 @@ Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable
       s.k[3] = (-sr * sq / s1 + cr * cq / s2) / av;
     }
   });
+  // Curvature from how the mean normals turn over half a span to both sides: n . X_uu = -n_u . X_u, and so on.
+  constexpr Index reach = kReferencePerSpan / 2;
+  const std::vector<double> centre_u = window_centres(r.grid.u, reach),
+                            centre_v = window_centres(r.grid.v, reach);
+  parallel_for(nu, [&](Index i) {
+    const Index i0 = std::max<Index>(0, i - reach), i1 = std::min(nu - 1, i + reach);
+    for (Index j = 0; j < nv; ++j) {
+      const Index q = i * nv + j, j0 = std::max<Index>(0, j - reach), j1 = std::min(nv - 1, j + reach);
+      const Reference::Sample &u0 = r.samples[i0 * nv + j], &u1 = r.samples[i1 * nv + j],
+                              &v0 = r.samples[i * nv + j0], &v1 = r.samples[i * nv + j1];
+      Reference::Sample& s = r.samples[q];
+      if (!s.used || !u0.used || !u1.used || !v0.used || !v1.used || i0 == i1 || j0 == j1) continue;
+      const Vec3 n_u = 1 / (centre_u[i1] - centre_u[i0]) * (u1.n - u0.n),
+                 n_v = 1 / (centre_v[j1] - centre_v[j0]) * (v1.n - v0.n), x_u = at(&means[9 * q + 3]),
+                 x_v = at(&means[9 * q + 6]);
+      s.bend[0] = -dot(n_u, x_u);
+      s.bend[1] = -0.5 * (dot(n_u, x_v) + dot(n_v, x_u));
+      s.bend[2] = -dot(n_v, x_v);
+      s.bent = true;
+    }
+  });
   return r;
 }
 
+namespace {
+
+/// How far the angle between the surface's normal and the blurred mesh's is from free (0) to charged in full (1).
+double ruffled(const Jet& jet, const Vec3& n) {
+  constexpr double free = std::numbers::pi / 12, full = 5 * std::numbers::pi / 36;  // 15 and 25 degrees
+  const double angle = std::acos(std::clamp(dot(unit(cross(jet.u, jet.v)), n), -1.0, 1.0));
+  return std::clamp((angle - free) / (full - free), 0.0, 1.0);
+}
+
+}  // namespace
+
 HingeState hinge_rows(const CellPolynomials& surface, const Reference& ref,
-                      const std::vector<double>& weights) {
+                      const std::vector<double>& weights, double fairness) {
   constexpr double least = 0.5, most = 2, weight = 3e-2;
   constexpr int g = kReferencePerSpan;
   const SpanTable &tu = surface.u(), &tv = surface.v();
   const Index nv = static_cast<Index>(ref.grid.v.size());
+  const double whole = (tu.last() - tu.first()) * (tv.last() - tv.first());
   const double cell_area = ref.mean_area / static_cast<double>(surface.cells());
   struct Row {
     double folded = 0, all = 0;
     std::vector<HingeRow> rows;
+    std::vector<CurvatureDatum> curvature;
   };
   std::vector<Row> parts(static_cast<std::size_t>(tu.spans()));
   HingeState state;
@@ -149,6 +197,15 @@ HingeState hinge_rows(const CellPolynomials& surface, const Reference& ref,
           state.cell_folds[cell] = 1;
         }
         if (weights.empty()) continue;
+        if (const double off = fairness > 0 && s.bent ? ruffled(jet, s.n) : 0; off > 0) {
+          const double hu = tu.length(a) * tu.length(a), hv = tv.length(b) * tv.length(b),
+                       w = fairness * off * area / (whole * g * g);
+          parts[a].curvature.push_back({uv[2 * x],
+                                        uv[2 * x + 1],
+                                        s.n,
+                                        {w * hu * hu, 2 * w * hu * hv, w * hv * hv},
+                                        {s.bend[0], s.bend[1], s.bend[2]}});
+        }
         const double j[4] = {dot(s.t1, jet.u), dot(s.t1, jet.v), dot(s.t2, jet.u), dot(s.t2, jet.v)};
         const double m[4] = {j[0] * s.k[0] + j[1] * s.k[2], j[0] * s.k[1] + j[1] * s.k[3],
                              j[2] * s.k[0] + j[3] * s.k[2], j[2] * s.k[1] + j[3] * s.k[3]};
@@ -172,6 +229,7 @@ HingeState hinge_rows(const CellPolynomials& surface, const Reference& ref,
     state.folded += part.folded;
     all += part.all;
     state.rows.insert(state.rows.end(), part.rows.begin(), part.rows.end());
+    state.curvature.insert(state.curvature.end(), part.curvature.begin(), part.curvature.end());
   }
   if (all > 0) state.folded /= all;
   return state;

@@ -15,9 +15,10 @@ std::vector<GradientDatum> gradient_data(const HoldingMesh& mesh, const SpanTabl
 struct Reference {
   MapSamples grid;
   struct Sample {
-    Vec3 n, t1, t2;    ///< mean normal, and the frame in its plane
-    double k[4] = {};  ///< K: 2 x 2, row-major
-    bool used = false;
+    Vec3 n, t1, t2;                   ///< mean normal, and the frame in its plane
+    double k[4] = {};                 ///< K: 2 x 2, row-major
+    double bend[3] = {};              ///< n . X_uu, n . X_uv, n . X_vv
+    bool used = false, bent = false;  ///< bent: bend is known
   };
   std::vector<Sample> samples;
   double mean_area = 0;  ///< of |X_u x X_v|
@@ -30,9 +31,14 @@ struct HingeState {
   double folded = 0;             ///< share of the square with (S_u x S_v).n < 0
   std::vector<char> cell_folds;  ///< by cell
   std::vector<HingeRow> rows;
+  std::vector<CurvatureDatum> curvature;
 };
+/// Hinge rows, and for ruffles that do not turn back curvature data: where the surface's normal is more than 15
+/// degrees off the blurred mesh's (in full from 25 on)
+///     fairness / G (h_u^4 (n.S_uu - n.X_uu)^2 + 2 h_u^2 h_v^2 (n.S_uv - n.X_uv)^2 + h_v^4 (n.S_vv - n.X_vv)^2),
+/// weighted by the cell's area, G samples in all.
 /// \param weights  k_c by cell; empty: the folded share alone
 HingeState hinge_rows(const CellPolynomials& surface, const Reference& reference,
-                      const std::vector<double>& weights);
+                      const std::vector<double>& weights, double fairness = 0);
 
 }  // namespace knotfit::correction

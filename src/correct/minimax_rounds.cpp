@@ -46,7 +46,7 @@ bool minimax_rounds(
     record.held = batch.move(now);
     batch.begin_round();
     verdict = batch.judge(now);
-    const HingeState hinge = batch.hinge(now, hinge_weights, true);
+    const HingeState hinge = batch.hinge(now, hinge_weights, true, 0);
     record.hinge_rows = static_cast<Index>(hinge.rows.size());
     const std::vector<double> q = shares(batch, verdict, scale, capped);
     std::vector<double> factor(q.size());

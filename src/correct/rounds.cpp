@@ -14,10 +14,15 @@ constexpr double kFirstTangential = 0.3, kLaterTangential = 0.05, kLeastTangenti
 constexpr int kBatch = 6;         // rounds between halvings of long edges
 constexpr double kLongest = 0.6;  // of an edge, in spans
 
+/// What is charged of the fairness: ruffles form early, and the distances have the last word.
+double fairness_after(double share_of_rounds) {
+  return share_of_rounds < 0.5 ? 1 : kLaterFairness;
+}
+
 }  // namespace
 
 Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector& knots_v,
-                  const CorrectionOptions& options, const Watch& watch) {
+                  const CorrectionOptions& options, const Watch& watch, bool keep_start) {
   const SpanTable u(knots_u), v(knots_v);
   const TangentSystem system(knots_u, knots_v, options.aspect);
   Rounds result;
@@ -53,7 +58,7 @@ Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector&
     double best_merit = verdict.merit, merit = verdict.merit, tangential = first_tangential;
     if (done == 0) {
       result.rounds.push_back({verdict.rms, verdict.max, verdict.folded, 1, 1, 0, 0});
-      keep(verdict, surface);
+      if (keep_start) keep(verdict, surface);
     }
     int bad = 0;
     for (int round = 0; round < rounds && !enough(); ++round) {
@@ -66,7 +71,9 @@ Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector&
       record.tangential = tangential;
       record.held = batch.move(now);
       batch.begin_round();
-      const HingeState hinge = batch.hinge(now, hinge_weights, done + round > 0);
+      const HingeState hinge =
+          batch.hinge(now, hinge_weights, done + round > 0,
+                      fairness_after(static_cast<double>(done + round) / options.rounds));
       record.hinge_rows = static_cast<Index>(hinge.rows.size());
       const double reweighting = 2 * (done + round) >= options.rounds ? options.reweighting : 0;
       const std::optional<Surface> solved =
@@ -146,7 +153,7 @@ std::optional<KnotJacobian> knot_jacobian(HoldingMesh mesh, const Surface& surfa
   batch.begin_round();
   std::vector<double> cell_weights(static_cast<std::size_t>(u.spans() * v.spans()), 1.0);
   const Verdict verdict = batch.judge(cells);
-  const HingeState hinge = batch.hinge(cells, cell_weights, false);
+  const HingeState hinge = batch.hinge(cells, cell_weights, false, kLaterFairness);
   return batch.knot_jacobian(surface, kLeastTangential, hinge, batch.weights(0, verdict.squared));
 }
 

@@ -20,9 +20,10 @@ struct Rounds {
 };
 
 /// \param mesh     lengths over the diagonal
-/// \param options  checked; start and keep_by in the frame
+/// \param options     checked; start and keep_by in the frame
+/// \param keep_start  the best may be what the rounds began with
 Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector& knots_v,
-                  const CorrectionOptions& options, const Watch& watch);
+                  const CorrectionOptions& options, const Watch& watch, bool keep_start = true);
 
 /// How the sum of the last step changes with the knots, at these parameters.
 /// \param surface  over its knots, in the frame

@@ -30,16 +30,15 @@ struct KnotBasis {
 }  // namespace
 
 std::optional<KnotJacobian> TangentSystem::knot_jacobian(const SystemPoints& points, double smoothing,
-                                                         std::span<const GradientDatum> gradient,
-                                                         std::span<const HingeRow> hinge,
-                                                         const Surface& surface,
+                                                         const Holding& holding, const Surface& surface,
                                                          std::span<const char> counts) const {
   const Index size = energy_.size(), band = energy_.bandwidth();
   BandMatrix matrix(3 * size, 3 * band + 2), scalar(size, band);
   std::vector<double> rhs(static_cast<std::size_t>(3 * size), 0.0);
   const double trace = add_points(points, 3, matrix, rhs), energy_trace = energy_.trace();
-  add_gradient(gradient, 3, scalar, rhs);
-  add_hinge(hinge, matrix, rhs);
+  add_gradient(holding.gradient, 3, scalar, rhs);
+  add_hinge(holding.hinge, matrix, rhs);
+  add_curvature(holding.curvature, matrix, rhs);
   const std::optional<BandMatrix> factor =
       factored(matrix, scalar, 3, energy_trace > 0 ? std::max(smoothing, 1e-12) * trace / energy_trace : 0);
   if (!factor) return std::nullopt;

@@ -216,6 +216,43 @@ void TangentSystem::add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix
   }
 }
 
+void TangentSystem::add_curvature(std::span<const CurvatureDatum> data, BandMatrix& matrix,
+                                  std::vector<double>& rhs) const {
+  constexpr int of_u[3] = {2, 1, 0}, of_v[3] = {0, 1, 2};
+  constexpr std::size_t most = (kMaxDegree + 1) * (kMaxDegree + 1);
+  const int wu = u_.width(), wv = v_.width();
+  std::array<double, 3 * (kMaxDegree + 1)> bu{}, bv{};
+  std::array<Index, most> id;
+  std::array<std::array<double, 3>, most> f;
+  for (const CurvatureDatum& g : data) {
+    const Index su = knots_u_.find_span(g.u), sv = knots_v_.find_span(g.v);
+    basis_derivatives(knots_u_, su, g.u, 2, bu);
+    basis_derivatives(knots_v_, sv, g.v, 2, bv);
+    int count = 0;
+    for (int i = 0; i < wu; ++i)
+      for (int j = 0; j < wv; ++j, ++count) {
+        id[count] = index(su - knots_u_.degree() + i, sv - knots_v_.degree() + j);
+        for (int k = 0; k < 3; ++k) f[count][k] = bu[of_u[k] * wu + i] * bv[of_v[k] * wv + j];
+      }
+    const double n[3] = {g.n.x, g.n.y, g.n.z};
+    for (int x = 0; x < count; ++x) {
+      std::array<double, 3> wf;
+      double right = 0;
+      for (int k = 0; k < 3; ++k) wf[k] = g.weight[k] * f[x][k], right += wf[k] * g.target[k];
+      for (int c = 0; c < 3; ++c) {
+        const Index at = 3 * id[x] + c;
+        rhs[at] += right * n[c];
+        double* column = matrix.column(at) - at;
+        for (int y = 0; y < count; ++y) {
+          const double w = n[c] * (wf[0] * f[y][0] + wf[1] * f[y][1] + wf[2] * f[y][2]);
+          for (int d = 0; d < 3; ++d)
+            if (const Index row = 3 * id[y] + d; row >= at) column[row] += w * n[d];
+        }
+      }
+    }
+  }
+}
+
 std::optional<BandMatrix> TangentSystem::factored(const BandMatrix& matrix, const BandMatrix& scalar,
                                                   int block, double lambda) const {
   BandMatrix whole = matrix;
@@ -236,15 +273,17 @@ std::optional<BandMatrix> TangentSystem::factored(const BandMatrix& matrix, cons
 }
 
 std::optional<Surface> TangentSystem::solve(const SystemPoints& points, double smoothing,
-                                            std::span<const GradientDatum> gradient,
-                                            std::span<const HingeRow> hinge) const {
+                                            const Holding& holding) const {
   const int block = points.matrix.empty() ? 1 : 3;
   const Index size = energy_.size(), band = energy_.bandwidth();
   BandMatrix matrix(block * size, block == 1 ? band : 3 * band + 2), scalar(size, band);
   std::vector<double> rhs(static_cast<std::size_t>(3 * size), 0.0);
   const double trace = add_points(points, block, matrix, rhs);
-  add_gradient(gradient, block, scalar, rhs);
-  if (block == 3) add_hinge(hinge, matrix, rhs);
+  add_gradient(holding.gradient, block, scalar, rhs);
+  if (block == 3) {
+    add_hinge(holding.hinge, matrix, rhs);
+    add_curvature(holding.curvature, matrix, rhs);
+  }
   const double energy_trace = energy_.trace();
   // Rounding can beat a very small floor: raise it rather than give up.
   for (double floor = smoothing; floor <= std::max(smoothing, 1e-5); floor = std::max(100 * floor, 1e-12)) {

@@ -1,5 +1,6 @@
 // The control points of one round: points with a matrix each, gradient data, hinge rows [METHOD 7, "Tangent step"].
 #pragma once
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,6 +39,20 @@ struct HingeRow {
   double target, weight;
 };
 
+/// sum_k weight_k (n . D_k - target_k)^2 at (u,v), D = S_uu, S_uv, S_vv.
+struct CurvatureDatum {
+  double u, v;
+  Vec3 n;
+  std::array<double, 3> weight, target;
+};
+
+/// What holds the surface between the points.
+struct Holding {
+  std::span<const GradientDatum> gradient;
+  std::span<const HingeRow> hinge;  ///< needs the points' matrices, as the next
+  std::span<const CurvatureDatum> curvature = {};
+};
+
 struct SystemPoints {
   std::span<const double> uv;
   std::span<const Vec3> point;
@@ -50,21 +65,18 @@ class TangentSystem {
   /// \param aspect  width over height of the rectangle that the thin-plate energy is taken on
   TangentSystem(const KnotVector& u, const KnotVector& v, double aspect);
 
-  /// Minimises sum w (S - P)^T M (S - P) + lambda J + gradient data + hinge rows, lambda relative to
-  /// tr(A^T W A) / tr(J). The same bits for any number of threads. Hinge rows need the matrices.
+  /// Minimises sum w (S - P)^T M (S - P) + lambda J + what holds it, lambda relative to tr(A^T W A) / tr(J). The
+  /// same bits for any number of threads.
   /// \return nothing where no floor up to 1e-5 makes the matrix positive definite
-  std::optional<Surface> solve(const SystemPoints& points, double smoothing,
-                               std::span<const GradientDatum> gradient,
-                               std::span<const HingeRow> hinge) const;
+  std::optional<Surface> solve(const SystemPoints& points, double smoothing, const Holding& holding) const;
 
   /// The same sum as the knots move, the control points eliminated (Kaufman's variable projection on the points'
-  /// matrices: columns projected on the normals as far as these are) [METHOD 3]; smoothing, gradients and hinge rows
+  /// matrices: columns projected on the normals as far as these are) [METHOD 3]; smoothing and what holds the surface
   /// only hold the control points. Needs the matrices, and simple knots.
   /// \param surface  over the system's knots, a minimiser of the whole
   /// \param counts   by point: whether it is in the sum whose fall is wanted; the others hold the control points too
   std::optional<KnotJacobian> knot_jacobian(const SystemPoints& points, double smoothing,
-                                            std::span<const GradientDatum> gradient,
-                                            std::span<const HingeRow> hinge, const Surface& surface,
+                                            const Holding& holding, const Surface& surface,
                                             std::span<const char> counts) const;
 
  private:
@@ -78,6 +90,8 @@ class TangentSystem {
   void add_gradient(std::span<const GradientDatum> data, int block, BandMatrix& scalar,
                     std::vector<double>& rhs) const;
   void add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix, std::vector<double>& rhs) const;
+  void add_curvature(std::span<const CurvatureDatum> data, BandMatrix& matrix,
+                     std::vector<double>& rhs) const;
 
   KnotVector knots_u_, knots_v_;
   Axis u_, v_;

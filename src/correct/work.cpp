@@ -35,6 +35,7 @@ void check(const Mesh& mesh, const std::vector<double>& uv, const CorrectionOpti
   check_range(options.rounds, 0, 100000, "the number of rounds");
   check_range(options.reweighting, 0, 1e6, "the reweighting");
   check_range(options.gradient, 0, 1e6, "the weight of the gradients");
+  check_range(options.fairness, 0, 1e6, "the fairness");
   check_range(options.holding, 0, 1e6, "the weight of added vertices");
   check_range(options.smoothing, 0, 1e6, "the smoothing floor");
   check_range(options.aspect, 0, 1e6, "the aspect");
@@ -135,10 +136,10 @@ CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const C
 }
 
 Rounds CorrectionWork::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
-                           const CorrectionOptions& options, const Watch& watch) const {
+                           const CorrectionOptions& options, const Watch& watch, bool keep_start) const {
   HoldingMesh mesh = holding_;
   mesh.uv = std::move(uv);
-  return run_rounds(std::move(mesh), knots_u, knots_v, options, watch);
+  return run_rounds(std::move(mesh), knots_u, knots_v, options, watch, keep_start);
 }
 
 std::optional<KnotJacobian> CorrectionWork::knots(std::vector<double> uv, const Surface& surface) const {

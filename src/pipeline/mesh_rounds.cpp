@@ -17,14 +17,15 @@ InteriorKnots knots_of(const Surface& s) {
 }  // namespace
 
 MeshRounds::MeshRounds(const correction::CorrectionWork& work, int degree_u, int degree_v,
-                       const Tolerance& tolerance, const Control& control, bool reports)
+                       const Tolerance& tolerance, const Control& control, bool of_search)
     : work_(work),
       degree_u_(degree_u),
       degree_v_(degree_v),
       tolerance_(tolerance),
       control_(control),
+      fairness_(of_search ? 0 : work.options().fairness),
       watch_(control_, "correction") {
-  if (!reports) control_.progress = nullptr;
+  if (of_search) control_.progress = nullptr;
 }
 
 Rounds MeshRounds::after(Rounds earlier, Rounds later) {
@@ -34,22 +35,36 @@ Rounds MeshRounds::after(Rounds earlier, Rounds later) {
   return later;
 }
 
-Rounds MeshRounds::run(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
-                       int rounds, const Tolerance& keep_by, int minimax) const {
-  const KnotVector u = KnotVector::clamped(degree_u_, knots.u), v = KnotVector::clamped(degree_v_, knots.v);
+CorrectionOptions MeshRounds::options(int rounds, const Tolerance& keep_by) const {
   CorrectionOptions o = work_.options();
   o.rounds = rounds;
   o.keep_by = keep_by;
-  o.minimax_rounds = minimax;
-  if (start) o.start = carried_over(*start, u, v);
-  Rounds r = work_.run(uv, u, v, o, watch_);
+  o.fairness = fairness_;
+  return o;
+}
+
+Rounds MeshRounds::run(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
+                       CorrectionOptions options, bool keep_start) const {
+  const KnotVector u = KnotVector::clamped(degree_u_, knots.u), v = KnotVector::clamped(degree_v_, knots.v);
+  if (start) options.start = carried_over(*start, u, v);
+  Rounds r = work_.run(uv, u, v, options, watch_, keep_start);
   fits_ += static_cast<long>(r.rounds.size());
   return r;
 }
 
 Rounds MeshRounds::correct(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
                            int rounds, double enough, int minimax) const {
-  return run(uv, knots, start, rounds, {enough, tolerance_.measure, tolerance_.share}, minimax);
+  CorrectionOptions o = options(rounds, {enough, tolerance_.measure, tolerance_.share});
+  o.minimax_rounds = minimax;
+  return run(uv, knots, start, std::move(o));
+}
+
+Rounds MeshRounds::faired(const Rounds& base) const {
+  constexpr int kRounds = 6;
+  CorrectionOptions o = options(kRounds, {0, tolerance_.measure, tolerance_.share});
+  o.fairness = work_.options().fairness;
+  Rounds fair = run(base.uv, knots_of(*base.surface), &*base.surface, std::move(o), false);
+  return polished(after(base, std::move(fair)));
 }
 
 Rounds MeshRounds::polished(Rounds base) const {
@@ -74,7 +89,7 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
   constexpr double kMostStep = 0.3;  // of a logarithm of a span: the parameters have to follow
   if (!base.surface || base.stopped) return base;
   const Tolerance by_rms{.value = 0, .measure = ErrorMeasure::rms};
-  Rounds now = run(base.uv, knots_of(*base.surface), &*base.surface, 1, by_rms, 0);
+  Rounds now = run(base.uv, knots_of(*base.surface), &*base.surface, options(1, by_rms));
   double mu = 0.1;
   bool moved = false;
   for (int step = 0; step < steps && now.surface && !watch_.over(); ++step) {
@@ -84,7 +99,7 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
     bool accepted = false;
     for (int trial = 0; trial < kTries && !accepted; ++trial) {
       if (model.solve(mu, kMostStep)) {
-        Rounds next = run(now.uv, model.moved(kLeastMeshSpan), &*now.surface, kRoundsAStep, by_rms, 0);
+        Rounds next = run(now.uv, model.moved(kLeastMeshSpan), &*now.surface, options(kRoundsAStep, by_rms));
         accepted = next.merit() < now.merit() * (1 - 1e-3);
         if (accepted) now = after(std::move(now), std::move(next));
       }

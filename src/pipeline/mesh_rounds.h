@@ -9,9 +9,9 @@ namespace knotfit {
 class MeshRounds {
  public:
   /// \param tolerance  what counts as the error, in the frame of the work
-  /// \param reports    its rounds are the progress; else its caller reports
+  /// \param of_search  fairness is left to faired(), progress to the caller
   MeshRounds(const correction::CorrectionWork& work, int degree_u, int degree_v, const Tolerance& tolerance,
-             const Control& control, bool reports);
+             const Control& control, bool of_search);
 
   /// \param start   carried over to the knots; null: the plain fit
   /// \param enough  the error that ends the rounds; 0: none
@@ -21,6 +21,9 @@ class MeshRounds {
   bool meets(const correction::Rounds& r) const { return r.surface && r.error <= tolerance_.value; }
   /// With last rounds for the tolerance itself where it is not met; the better of both.
   correction::Rounds polished(correction::Rounds base) const;
+
+  /// Rounds that charge the fairness, those for the tolerance after them, whatever that does to the error.
+  correction::Rounds faired(const correction::Rounds& base) const;
 
   /// Knots by the error model on the corrected surface, at its size, with rounds after them; the better of both.
   correction::Rounds with_knots_anew(correction::Rounds base, int rounds) const;
@@ -32,13 +35,15 @@ class MeshRounds {
   long fits() const { return fits_; }
 
  private:
+  CorrectionOptions options(int rounds, const Tolerance& keep_by) const;
   correction::Rounds run(const std::vector<double>& uv, const InteriorKnots& knots, const Surface* start,
-                         int rounds, const Tolerance& keep_by, int minimax) const;
+                         CorrectionOptions options, bool keep_start = true) const;
 
   const correction::CorrectionWork& work_;
   int degree_u_, degree_v_;
   Tolerance tolerance_;
   Control control_;
+  double fairness_;
   correction::Watch watch_;
   mutable long fits_ = 0;
 };

@@ -17,8 +17,7 @@ constexpr double kNear = 2;                  // times the tolerance: what the la
 constexpr int kKnotSteps = 4;
 constexpr long kMostRounds = 6000;
 constexpr Index kMostControlPoints = 5000;  // by default: the system's factor grows with the square
-constexpr double kBeyond =
-    1.5;  // a size that holds but folds is passed by sizes up to this many times larger
+constexpr double kBeyond = 3;  // a size that holds but folds is passed by sizes up to this many times larger
 
 class MeshSizes {
  public:
@@ -36,11 +35,12 @@ class MeshSizes {
         most_(options.max_control_points > 0 ? options.max_control_points
                                              : std::min(work.data() / 2, kMostControlPoints)),
         most_rounds_(options.max_fits > 0 ? options.max_fits : kMostRounds),
-        rounds_of_(work, options.degree_u, options.degree_v, tolerance, control, false),
+        rounds_of_(work, options.degree_u, options.degree_v, tolerance, control, true),
         rounds_(std::max(1, work.options().rounds * 2 / 5)) {}
 
   MeshSearch run() {
     grow();
+    if (status_ == Status::reached && work_.options().fairness > 0 && !interrupted()) make_fair();
     MeshSearch found;
     found.correction = verified_ ? std::move(*verified_) : work_.finish(best_.rounds, false, control_);
     found.status = control_.stop.stop_requested() ? Status::stopped
@@ -102,6 +102,7 @@ class MeshSizes {
         holds = !folds_over(result.folds);
         // One that only folds is kept until a larger one does not.
         if (holds || !verified_) verified_ = std::move(result);
+        if (holds) held_ = last.rounds;
         if (!holds && folded_ == 0) folded_ = size(state.spans);
       }
     }
@@ -157,6 +158,17 @@ class MeshSizes {
     }
   }
 
+  /// The smallest that holds once more with the fairness charged, taken where it still holds and its normals are nearer
+  /// the mesh's. The search is blind to it: on nets that are too coarse for the mesh it would only lead astray.
+  void make_fair() {
+    Rounds fair = rounds_of_.faired(held_);
+    if (!rounds_of_.meets(fair)) return;
+    CorrectionResult result = work_.finish(std::move(fair), false, control_);
+    if (work_.error(result, tolerance_) <= tolerance_.value && !folds_over(result.folds) &&
+        result.folds.normal_angle < verified_->folds.normal_angle)
+      verified_ = std::move(result);
+  }
+
   const correction::CorrectionWork& work_;
   const FitOptions& options_;
   Tolerance tolerance_;
@@ -170,6 +182,7 @@ class MeshSizes {
   int rounds_;
   Status status_ = Status::not_run;
   State best_;
+  Rounds held_;  ///< of the size that holds
   std::optional<CorrectionResult> verified_;
   Index folded_ = 0;  ///< the first size that holds the tolerance and folds
   std::vector<SizeTried> tried_;
@@ -180,7 +193,7 @@ class MeshSizes {
 MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOptions& options,
                          const Tolerance& tolerance, const Control& control) {
   constexpr int kAnew = 2, kSteps = 12;
-  const MeshRounds rounds(work, options.degree_u, options.degree_v, tolerance, control, true);
+  const MeshRounds rounds(work, options.degree_u, options.degree_v, tolerance, control, false);
   const int all = work.options().rounds;
   const InteriorKnots uniform{uniform_knots(options.control_points_u - options.degree_u - 1),
                               uniform_knots(options.control_points_v - options.degree_v - 1)};

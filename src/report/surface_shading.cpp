@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "report/pixels.h"
 namespace knotfit::report {
@@ -9,6 +10,14 @@ namespace {
 
 bool in_stripe(double along, double stripe, double share) {
   return along - std::floor(along / stripe) * stripe < share * stripe;
+}
+
+/// Every other of equal angles of the mirrored line of sight about the camera's right: light. [Klass80]
+double lamp(const Vec3& normal, const Vec3& eye, const Camera& camera) {
+  constexpr double apart = std::numbers::pi / 18;
+  const Vec3 mirrored = 2 * dot(normal, eye) * normal - eye;
+  const double turn = std::atan2(dot(mirrored, camera.up), dot(mirrored, camera.toward)) / apart;
+  return turn - std::floor(turn) < 0.5 ? 1.0 : 0.25;
 }
 
 }  // namespace
@@ -85,6 +94,10 @@ Image shade(const Content& content, const SurfaceMesh& mesh, const ZBuffer& buff
     const bool back = dot(face, eye) < 0;
     if (dot(normal, face) < 0) normal = -1.0 * normal;
     if (back) normal = -1.0 * normal;
+    if (content.input->reflections) {
+      const double b = lamp(normal, eye, camera) * brightness(normal, camera);
+      return Rgb{0.93 * b, 0.95 * b, 0.98 * b};
+    }
     const double height = s.scale.z > 0 ? s.centre.z + z / s.scale.z : s.centre.z;
     const std::optional<Rgb> own = content.colour_at(u, v, height);
     Rgb colour = own.value_or(kNoData);

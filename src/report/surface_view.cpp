@@ -42,7 +42,7 @@ void draw_knot_lines(Canvas& canvas, const Viewport& view, const SurfaceSamples&
   }
 }
 
-std::string caption(const SurfaceSamples& s) {
+std::string caption(const SurfaceSamples& s, bool reflections) {
   std::string out;
   if (!s.height_field) {
     const Vec3 size = s.high - s.low;
@@ -59,6 +59,7 @@ std::string caption(const SurfaceSamples& s) {
   }
   if (s.height_field && s.scale.x > 0 && s.scale.y > 0 && std::abs(s.scale.x - s.scale.y) > 1e-9 * s.scale.x)
     out += fmt::format(", {} × {}", s.name_y, number_text(s.scale.y / s.scale.x, 2));
+  if (reflections) out += "; reflection lines of lamps 10° apart";
   if (s.cut) out += "; parts far outside the data left out";
   return out;
 }
@@ -109,7 +110,7 @@ std::string draw_surface_view(Canvas& canvas, const Content& content, const Box&
     const bool in_panel = q.x > panel.x && q.x < panel.right() && q.y > panel.y && q.y < panel.bottom();
     if (in_panel && view.viewport().visible(q)) draw_worst_mark(canvas, {q.x, q.y}, em);
   }
-  return caption(s);
+  return caption(s, content.input->reflections);
 }
 
 }  // namespace knotfit::report

@@ -44,7 +44,7 @@ class Help(ToolTest):
                   "--max-control-points --max-fits --time-limit --height-field --spacing --rescale-parameters "
                   "--duplicates --columns --input-format --nodata --classes --returns --feature --feature-file --smoothing --between --cell --fill-holes "
                   "--output --force --threads --quiet --json --options --largest-part --orient --drop-degenerate "
-                  "--corners --omega --base --new-parameters --samples --unit --name --step-schema "
+                  "--corners --omega --base --new-parameters --correct --fairness --samples --reflections --unit --name --step-schema "
                   "--cad-safe --cad-tol").split()
         self.assertLessEqual(set(wanted), options_of(self.help("fit")))
         wanted = "--at --points --grid --derivatives --derivative --normals --curvature --clamp --json --output".split()
@@ -77,7 +77,7 @@ class Help(ToolTest):
         """Every option of fit is in the stored options, or is known not to shape a result."""
         self.write_points()
         stored = self.run_json("fit", "points.csv", "--control-points", "5")["options"]
-        others = {"--help", "--output", "--force", "--json", "--threads", "--quiet", "--options", "--knots-u",
+        others = {"--help", "--output", "--force", "--json", "--threads", "--quiet", "--options", "--reflections", "--knots-u",
                   "--knots-v", "--knots-from", "--no-height-field", "--no-rescale-parameters", "--no-fill-holes", "--no-largest-part",
                   "--no-orient", "--no-drop-degenerate", "--no-new-parameters", "--no-cad-safe"}
         names = {"--tol": "tolerance", "--within": "measure", "--rms": "measure"}

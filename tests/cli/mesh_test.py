@@ -201,6 +201,19 @@ class Fit(MeshTest):
         self.assertEqual(again["correction"]["rounds"], 3)
         self.assertEqual(self.run_json("fit", MASK, "--options", "t.json")["options"]["correct"], "3")
 
+    def test_fairness_and_reflection_lines(self):
+        size = ("--control-points", "16", "--knots", "uniform", "--correct", "6", "--between", "off", "--force")
+        none, fair = [self.run_json("fit", MASK, *size, "--fairness", x, "-o", "s.json", "-o", "s.png")["correction"]
+                      for x in ("0", "100")]
+        self.assertLess(fair["folds"]["normal_angle"], none["folds"]["normal_angle"])
+        plain = (self.folder / "s.png").read_bytes()
+        self.run_tool("fit", MASK, "--options", "s.json", "-o", "s.png", "--reflections", "--force")
+        self.assertNotEqual((self.folder / "s.png").read_bytes(), plain)
+        self.run_tool("convert", "s.json", "-o", "a.png")
+        self.run_tool("convert", "s.json", "-o", "b.png", "--reflections")
+        self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.refused("fit", MASK, *size, "--fairness", "-1", words=["--fairness", "-1"])
+
     def test_a_correction_is_judged_by_the_distance(self):
         size = ("--control-points", "14", "--knots", "uniform", "--tol", "0.5%")
         self.run_json("fit", MASK, *size, "--correct", "off", status=3)

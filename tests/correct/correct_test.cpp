@@ -224,6 +224,9 @@ TEST(Correction, RefusesWhatItCannotUse) {
   options.reweighting = NAN;
   expect_throw<InvalidInput>([&] { run(m, options); }, "the reweighting");
   options = {};
+  options.fairness = -1;
+  expect_throw<InvalidInput>([&] { run(m, options); }, "the fairness");
+  options = {};
   options.data_vertices = 2;
   expect_throw<InvalidInput>([&] { run(m, options); }, "fewer than 4");
   options.data_vertices = 200;
@@ -256,6 +259,22 @@ TEST_P(RealMeshes, ComeAsNearAsPublished) {
   EXPECT_EQ(r.folds.flipped, 0);
   EXPECT_GT(r.folds.least_sine, 0);
 }
+TEST(Correction, FairnessTurnsTheNormalsToTheMesh) {
+  if (!std::getenv("KNOTFIT_DATA")) GTEST_SKIP() << "KNOTFIT_DATA names no folder of meshes";
+  const Mesh mesh = read_mesh("demosthenes_front.ply");
+  const MeshMap map = parameterize_mesh(mesh);
+  const KnotVector knots = KnotVector::uniform(3, 16);
+  const auto run = [&](double fairness) {
+    CorrectionOptions options;
+    options.fairness = fairness;
+    return correct_parameters(mesh, map, knots, knots, options);
+  };
+  const CorrectionResult without = run(0), with = run(CorrectionOptions{}.fairness), fairer = run(1e-2);
+  EXPECT_LT(with.folds.normal_angle, 0.97 * without.folds.normal_angle);
+  EXPECT_LT(with.distance.rms, 1.02 * without.distance.rms);
+  EXPECT_LT(fairer.folds.normal_angle, with.folds.normal_angle);
+}
+
 INSTANTIATE_TEST_SUITE_P(Correction, RealMeshes,
                          testing::Values(Target{"mask.obj", 2.2e-4, 9e-4},
                                          Target{"three_peaks.off", 1.6e-4, 1.1e-3}),

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "correct/map_samples.h"
 #include "data/meshes.h"
 #include "knotfit/errors.h"
@@ -36,6 +39,18 @@ Surface pleat(const std::vector<double>& breaks, const std::vector<double>& x) {
   for (const double a : x)
     for (const double b : v.greville()) net.insert(net.end(), {a, b, 0});
   return Surface(u, v, 3, net);
+}
+
+TEST(Folds, KnowHowFarTheNormalsAreOff) {
+  const Mapped m = flat(20);
+  const KnotVector k = KnotVector::uniform(1, 0);
+  const double slope = std::tan(std::numbers::pi / 6);
+  const Surface tilted(k, k, 3, {0, 0, 0, 0, 1, 0, 1, 0, slope, 1, 1, slope});
+  EXPECT_NEAR(measure_folds(tilted, m.mesh, m.uv).normal_angle, 30, 1e-9);
+  EXPECT_NEAR(measure_folds(pleat({0, 0.4, 0.5, 1}, {0, 0.4, 0.5, 1}), m.mesh, m.uv).normal_angle, 0, 1e-5);
+  // Turned right over on a quarter of the square.
+  EXPECT_NEAR(measure_folds(pleat({0, 0.5, 0.75, 1}, {0, 0.5, 0.25, 1}), m.mesh, m.uv).normal_angle, 90,
+              1e-6);
 }
 
 TEST(Folds, AreTheShareThatTurnsBack) {

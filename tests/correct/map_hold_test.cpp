@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "correct/parameter_guard.h"
 #include "data/meshes.h"
 #include "support/random_splines.h"
@@ -154,6 +156,65 @@ TEST(GradientData, AreTheDerivativesOfTheMap) {
   EXPECT_NEAR(sum_u, 1e-2 / 16, 1e-12);  // eps h_u^2
   EXPECT_EQ(data.size(), inside + 2 * (3 * 4 + 3 * 2));
   EXPECT_TRUE(gradient_data(flat(5), tu, tv, 0).empty());
+}
+
+TEST(Reference, KnowsTheCurvatureOfTheMesh) {
+  // A piece of a cylinder of radius 2 about the y axis, u along its arc, v along the axis.
+  HoldingMesh m = flat(60);
+  for (Index k = 0; k < m.size(); ++k) {
+    const double turn = m.uv[2 * k] / 2;
+    m.position[k] = {2 * std::sin(turn), m.uv[2 * k + 1], 2 * std::cos(turn)};
+  }
+  const SpanTable t(KnotVector::uniform(3, 7));
+  const Reference r = reference(m, t, t, 1);
+  Index bent = 0;
+  for (const Reference::Sample& s : r.samples) {
+    if (!s.bent) continue;
+    ++bent;
+    EXPECT_NEAR(s.bend[0], -0.5, 0.05);  // |X_uu| = 1 / 2, against the outward normal
+    EXPECT_NEAR(s.bend[1], 0, 0.01);
+    EXPECT_NEAR(s.bend[2], 0, 0.01);
+  }
+  EXPECT_EQ(bent, 32 * 32);
+}
+
+/// (u, v, height) over a flat mesh, the control points' heights alternating along u.
+Surface waves(const KnotVector& knots, double height) {
+  std::vector<double> net;
+  int k = 0;
+  for (const double a : knots.greville()) {
+    ++k;
+    for (const double b : knots.greville()) net.insert(net.end(), {a, b, k % 2 == 0 ? height : -height});
+  }
+  return Surface(knots, knots, 3, net);
+}
+
+TEST(CurvatureData, StandsWhereTheNormalsAreFarOff) {
+  const KnotVector knots = KnotVector::uniform(3, 7);
+  const std::vector<double> weights(64, 1.0);
+  constexpr double fairness = 1e-2;
+  const auto data = [&](double height, double weight) {
+    const CellPolynomials cells(waves(knots, height));
+    return hinge_rows(cells, reference(flat(9), cells.u(), cells.v(), 1), weights, weight).curvature;
+  };
+  EXPECT_TRUE(data(0.2, 0).empty());
+  EXPECT_TRUE(data(0.002, fairness).empty());  // nowhere 15 degrees
+  const CellPolynomials cells(waves(knots, 0.2));
+  const std::vector<CurvatureDatum> all = data(0.2, fairness);
+  ASSERT_FALSE(all.empty());
+  std::size_t full = 0;
+  for (const CurvatureDatum& d : all) {
+    const Jet j = cells.jet(d.u, d.v);
+    const double angle = std::acos(unit(cross(j.u, j.v)).z) * 180 / std::numbers::pi;
+    EXPECT_GT(angle, 15);
+    const double whole = fairness / (32 * 32) / std::pow(8.0, 4);
+    EXPECT_NEAR(d.weight[0], whole * std::min(1.0, (angle - 15) / 10), 1e-9 * whole);
+    EXPECT_NEAR(d.weight[1], 2 * d.weight[0], 1e-9 * whole);
+    EXPECT_NEAR(d.weight[2], d.weight[0], 1e-9 * whole);
+    for (const double target : d.target) EXPECT_NEAR(target, 0, 1e-9);
+    if (angle > 25) ++full;
+  }
+  EXPECT_GT(full, 0u);
 }
 
 TEST(HingeRows, AreNoneWhereTheSurfaceFollowsTheMesh) {

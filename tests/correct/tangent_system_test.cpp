@@ -19,6 +19,8 @@ struct Problem {
   std::vector<Sym3> matrix;
   std::vector<GradientDatum> gradient;
   std::vector<HingeRow> hinge;
+  std::vector<CurvatureDatum> curvature;
+  Holding holding() const { return {gradient, hinge, curvature}; }
   SystemPoints points() const { return {uv, point, weight, matrix}; }
 };
 
@@ -34,7 +36,7 @@ Problem random_problem(Random& random, int degree_u, int degree_v, int interior_
     if (count > 2 && degree > 1) interior[1] = interior[0];  // a double knot
     return KnotVector::clamped(degree, interior);
   };
-  Problem p{knots(degree_u, interior_u), knots(degree_v, interior_v), {}, {}, {}, {}, {}, {}};
+  Problem p{knots(degree_u, interior_u), knots(degree_v, interior_v), {}, {}, {}, {}, {}, {}, {}};
   for (int k = 0; k < 400; ++k) {
     p.uv.insert(p.uv.end(), {random.unit(), random.unit()});
     if (k % 20 == 0) p.uv[2 * k] = 1;
@@ -46,6 +48,12 @@ Problem random_problem(Random& random, int degree_u, int degree_v, int interior_
   for (int k = 0; k < 60; ++k)
     p.gradient.push_back({random.unit(), random.unit(), random.uniform(0, 0.1), random.uniform(0, 0.1),
                           random_vector(random), random_vector(random)});
+  for (int k = 0; k < 20 && blocks; ++k)
+    p.curvature.push_back({random.unit(),
+                           random.unit(),
+                           unit(random_vector(random)),
+                           {random.uniform(0, 1e-3), random.uniform(0, 1e-3), random.uniform(0, 1e-3)},
+                           {random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)}});
   if (blocks)
     for (int k = 0; k < 20; ++k)
       p.hinge.push_back({random.unit(), random.unit(), random.uniform(-1, 1), random.uniform(-1, 1),
@@ -73,6 +81,12 @@ double objective(const Problem& p, const Surface& s) {
     const double r = dot(h.y, h.a * j[1] + h.b * j[2]) - h.target;
     sum += h.weight * r * r;
   }
+  for (const CurvatureDatum& g : p.curvature) {
+    const std::vector<double> d = evaluate_derivatives(s, g.u, g.v, 2);
+    const double r[3] = {dot(g.n, at(&d[18])) - g.target[0], dot(g.n, at(&d[12])) - g.target[1],
+                         dot(g.n, at(&d[6])) - g.target[2]};
+    for (int k = 0; k < 3; ++k) sum += g.weight[k] * r[k] * r[k];
+  }
   return sum;
 }
 
@@ -86,7 +100,7 @@ TEST(TangentSystem, NoOtherControlPointsAreBetter) {
     for (const Degrees d : {Degrees{3, 3, 4, 4}, {3, 3, 2, 6}, {2, 3, 6, 1}, {1, 4, 3, 3}, {5, 2, 0, 4}}) {
       const Problem p = random_problem(random, d.u, d.v, d.interior_u, d.interior_v, blocks);
       const TangentSystem system(p.u, p.v, 1.3);
-      const auto s = system.solve(p.points(), 1e-14, p.gradient, p.hinge);
+      const auto s = system.solve(p.points(), 1e-14, p.holding());
       ASSERT_TRUE(s);
       const double least = objective(p, *s);
       // A quadratic: at its minimum a step h along a control point costs h^2 times a diagonal entry, the same
@@ -116,7 +130,7 @@ TEST(TangentSystem, ReproducesASplineOfItsSpace) {
       evaluate(s, p.uv[2 * k], p.uv[2 * k + 1], x);
       p.point[k] = at(x);
     }
-    const auto fitted = TangentSystem(p.u, p.v, 1).solve(p.points(), 1e-14, {}, {});
+    const auto fitted = TangentSystem(p.u, p.v, 1).solve(p.points(), 1e-14, {});
     ASSERT_TRUE(fitted);
     for (std::size_t k = 0; k < p.point.size(); ++k) {  // where data is: a corner may have next to none
       double x[3];
@@ -131,13 +145,13 @@ TEST(TangentSystem, SameBitsForOneAndTwoThreads) {
   const Problem p = random_problem(random, 3, 3, 9, 7, true);
   const TangentSystem system(p.u, p.v, 1);
   const auto [one, two] =
-      on_one_and_two_threads([&] { return system.solve(p.points(), 1e-9, p.gradient, p.hinge); });
+      on_one_and_two_threads([&] { return system.solve(p.points(), 1e-9, p.holding()); });
   EXPECT_EQ(one->net(), two->net());
 }
 
 TEST(TangentSystem, HasNoSolutionWithoutDataOrSmoothing) {
   const KnotVector k = KnotVector::uniform(3, 3);
-  EXPECT_FALSE(TangentSystem(k, k, 1).solve({}, 0, {}, {}));
+  EXPECT_FALSE(TangentSystem(k, k, 1).solve({}, 0, {}));
 }
 
 TEST(TangentSystem, EnergyIsThatOfTheRectangle) {
@@ -146,10 +160,10 @@ TEST(TangentSystem, EnergyIsThatOfTheRectangle) {
   Problem p = random_problem(random, 3, 3, 4, 4, false);
   p.gradient.clear();
   p.uv.resize(20), p.point.resize(10), p.weight.resize(10);
-  const auto a = TangentSystem(p.u, p.v, 2).solve(p.points(), 1e-3, {}, {});
+  const auto a = TangentSystem(p.u, p.v, 2).solve(p.points(), 1e-3, {});
   for (std::size_t k = 0; k < 10; ++k) std::swap(p.uv[2 * k], p.uv[2 * k + 1]);
-  const auto b = TangentSystem(p.v, p.u, 0.5).solve(p.points(), 1e-3, {}, {});
-  const auto unlike = TangentSystem(p.v, p.u, 2).solve(p.points(), 1e-3, {}, {});
+  const auto b = TangentSystem(p.v, p.u, 0.5).solve(p.points(), 1e-3, {});
+  const auto unlike = TangentSystem(p.v, p.u, 2).solve(p.points(), 1e-3, {});
   ASSERT_TRUE(a && b && unlike);
   double difference = 0, other = 0;
   for (int k = 0; k < 100; ++k) {
@@ -173,6 +187,7 @@ TEST(TangentSystem, ItsSlopeInTheKnotsIsThatOfTheSum) {
     Problem p = random_problem(random, 3, 2, 2, 2, true);
     p.gradient.clear();
     p.hinge.clear();
+    p.curvature.clear();
     p.u = KnotVector::clamped(3, std::vector<double>{0.2, 0.45, 0.8});
     p.v = KnotVector::clamped(
         2, swapped ? std::vector<double>{0.15, 0.3, 0.5, 0.7, 0.9} : std::vector<double>{0.4});
@@ -183,14 +198,14 @@ TEST(TangentSystem, ItsSlopeInTheKnotsIsThatOfTheSum) {
       q.u = KnotVector::clamped(3, std::span(knots).first(in_u));
       q.v = KnotVector::clamped(2, std::span(knots).subspan(in_u));
       const TangentSystem system(q.u, q.v, 1);
-      return std::pair{objective(q, *system.solve(q.points(), 1e-13, {}, {})), q};
+      return std::pair{objective(q, *system.solve(q.points(), 1e-13, {})), q};
     };
     std::vector<double> knots = p.u.interior();
     const std::vector<double> in_v = p.v.interior();
     knots.insert(knots.end(), in_v.begin(), in_v.end());
     const TangentSystem system(p.u, p.v, 1);
     const std::optional<KnotJacobian> jacobian =
-        system.knot_jacobian(p.points(), 1e-13, {}, {}, *system.solve(p.points(), 1e-13, {}, {}), all);
+        system.knot_jacobian(p.points(), 1e-13, {}, *system.solve(p.points(), 1e-13, {}), all);
     ASSERT_TRUE(jacobian);
     ASSERT_EQ(jacobian->knots, knots.size());
     // The control points minimise the sum: their own change adds nothing [Golub73]. Central differences of step h

@@ -29,7 +29,7 @@ _knotfit() {
     --points | --options | --knots-from | --feature-file | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
     --tol | --sizes | --tolerances | --evaluations | --knots-t | --within | --control-points | --degree | --shear | --max-control-points | --max-fits | --time-limit | \
       --knots-u | --knots-v | --smoothing | --columns | --nodata | --classes | --cell | --threads | --at | --grid | \
-      --derivatives | --derivative | --omega | --samples | --lines | --name | --cad-tol | --face) return ;;
+      --derivatives | --derivative | --omega | --fairness | --samples | --lines | --name | --cad-tol | --face) return ;;
   esac
 
   if [[ -z $command ]]; then
@@ -44,7 +44,7 @@ _knotfit() {
       options="--tol --within --rms --control-points --degree --shear --max-control-points --max-fits --time-limit
         --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --feature-file --evaluations --smoothing
         $input --height-field
-        --spacing --rescale-parameters --duplicates --base $mesh --new-parameters --correct $output --samples --unit $cad --cell --json --between
+        --spacing --rescale-parameters --duplicates --base $mesh --new-parameters --correct --fairness $output --samples --reflections --unit $cad --cell --json --between
         --threads --quiet --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part
         --no-orient --no-drop-degenerate --no-new-parameters --no-cad-safe" ;;
     compare)
@@ -61,7 +61,7 @@ _knotfit() {
         --json --threads" ;;
     distance) options="--tol --samples $surface $input $output --json --threads --quiet" ;;
     info) options="$surface $input --json" ;;
-    convert) options="$surface $input $output $cad --samples --cell --grid" ;;
+    convert) options="$surface $input $output $cad --samples --reflections --cell --grid" ;;
     methods | formats) options="--names --json" ;;
   esac
   if [[ $current == -* ]]; then

@@ -76,6 +76,8 @@ complete -c knotfit -n $mesh -l largest-part -d 'Keep the part of a mesh with th
 complete -c knotfit -n $mesh -l orient -d 'Turn triangles against their neighbours'
 complete -c knotfit -n $mesh -l drop-degenerate -d 'Drop triangles of no area'
 complete -c knotfit -n $fit -l correct -x -a 'auto off' -d 'Parameters corrected with the control points'
+complete -c knotfit -n $fit -l fairness -x -d 'Weight against ruffles'
+complete -c knotfit -n "__fish_seen_subcommand_from fit convert" -l reflections -d 'Reflection lines in pictures'
 complete -c knotfit -n $mesh -l corners -x -a 'auto sharpest search' -d 'Corners of the square'
 complete -c knotfit -n $mesh -l omega -x -d 'Weight of the normals in the map'
 complete -c knotfit -n $fit -l new-parameters -d 'Map a mesh anew that has parameters'
