@@ -197,13 +197,25 @@ MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOption
   const int all = work.options().rounds;
   const InteriorKnots uniform{uniform_knots(options.control_points_u - options.degree_u - 1),
                               uniform_knots(options.control_points_v - options.degree_v - 1)};
-  Rounds best = rounds.correct(work.first(), uniform, nullptr, all);
-  if (options.method == "error-model" || options.method == "optimal")
+  // Moved knots may gain distance by a fold: the last stage that does not fold counts, else the one that does least.
+  std::vector<Rounds> stages{rounds.correct(work.first(), uniform, nullptr, all)};
+  const auto add = [&](Rounds next) {
+    if (next.rounds.size() > stages.back().rounds.size()) stages.push_back(std::move(next));
+  };
+  if (options.method == "error-model" || options.method == "optimal") {
+    Rounds best = stages.back();
     for (int k = 0; k < kAnew; ++k) best = rounds.with_knots_anew(std::move(best), (all + 1) / 2);
-  if (options.method == "optimal") best = rounds.with_knots_moved(std::move(best), kSteps);
-  if (options.tolerance) best = rounds.polished(std::move(best));
+    add(std::move(best));
+  }
+  if (options.method == "optimal") add(rounds.with_knots_moved(stages.back(), kSteps));
   MeshSearch found;
-  found.correction = work.finish(std::move(best), false, control);
+  for (std::size_t k = stages.size(); k-- > 0;) {
+    const bool first = k + 1 == stages.size();
+    if (options.tolerance) stages[k] = rounds.polished(std::move(stages[k]));
+    CorrectionResult result = work.finish(stages[k], false, control);
+    if (first || result.folds.blurred < found.correction.folds.blurred) found.correction = std::move(result);
+    if (!folds_over(found.correction.folds) || control.stop.stop_requested()) break;
+  }
   found.status = control.stop.stop_requested() ? Status::stopped : Status::fixed_size;
   found.fits = rounds.fits();
   found.method = options.method;
