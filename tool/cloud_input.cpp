@@ -25,7 +25,12 @@ MappedMesh mapped(CloudMap cloud, const std::vector<Index>& line) {
 MeshMapOptions map_options(const FitChoices& choices) {
   MeshMapOptions options;
   options.omega = choices.omega.value_or(-1);
-  options.corners = parse_corners(choices.corners.value_or("auto")).rule;
+  const CornerChoice corners = parse_corners(choices.corners.value_or("auto"));
+  if (!corners.vertices.empty() || !corners.places.empty())
+    throw InvalidInput(
+        "--corners " + *choices.corners +
+        ": the corners of points without a mesh are found by a rule: auto, sharpest or search");
+  options.corners = corners.rule;
   return options;
 }
 

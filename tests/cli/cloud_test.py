@@ -133,6 +133,12 @@ class Bases(CloudTest):
         self.refused("fit", "cloud.csv", "--control-points", "8", "--base", "a.xyz,b.xyz", words=["--base", "four boundary curves"])
         self.refused("fit", "cloud.csv", "--control-points", "8", "--base", "none.json", words=["none.json", "no such file"])
 
+    def test_corners_of_a_cloud_are_found_by_rule(self):
+        self.write("cloud.csv", "x,y,z\n" + "".join(f"{i / 9},{j / 9},{i * j / 300}\n" for i in range(10) for j in range(10)))
+        for corners in ("1,2,3,4", "0,0,0;1,0,0;1,1,0;0,1,0"):
+            self.refused("fit", "cloud.csv", "--control-points", "5", "--corners", corners,
+                         words=["--corners " + corners, "by a rule"])
+
     def test_a_cloud_that_is_no_sheet_says_what_to_do(self):
         self.write_xyz("fog.csv", [(u, v, w) for (u, v), (w, _) in zip(scattered(900), scattered(900, 2))])
         self.refused("fit", "fog.csv", "--tol", "1%", words=["fog.csv", "fold over their plane", "--height-field", "--base plane"])
