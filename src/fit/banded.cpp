@@ -82,7 +82,9 @@ bool BandMatrix::factor() {
 void BandMatrix::solve(double* x, Index columns) const {
   const int n = narrow(size_), kd = narrow(bandwidth_), ld = kd + 1, rhs = narrow(columns);
   int info = 0;
-  dpbtrs_("L", &n, &kd, &rhs, data_.data(), &ld, x, &n, &info);
+  AlignedVector<double> aligned(x, x + size_ * columns);
+  dpbtrs_("L", &n, &kd, &rhs, data_.data(), &ld, aligned.data(), &n, &info);
+  std::copy(aligned.begin(), aligned.end(), x);
 }
 
 void BandMatrix::forward(Panel& x) const {
@@ -108,7 +110,7 @@ void Panel::add_gram(Index begin, Index count, double factor, double* matrix) co
 
 double BandMatrix::condition(double norm) const {
   const int n = narrow(size_), kd = narrow(bandwidth_), ld = kd + 1;
-  std::vector<double> work(static_cast<std::size_t>(3 * size_));
+  AlignedVector<double> work(static_cast<std::size_t>(3 * size_));
   std::vector<int> iwork(static_cast<std::size_t>(size_));
   double reciprocal = 0;
   int info = 0;

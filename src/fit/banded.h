@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "base/aligned.h"
 #include "knotfit/index.h"
 namespace knotfit {
 
@@ -52,7 +53,7 @@ class BandMatrix {
 
  private:
   Index size_ = 0, bandwidth_ = 0;
-  std::vector<double> data_;
+  AlignedVector<double> data_;
 };
 
 }  // namespace knotfit
