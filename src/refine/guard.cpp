@@ -70,6 +70,7 @@ std::vector<Index> Guard::sites_that_matter(FitProblem& problem, bool fill_only)
     if (site.state == Site::open) unknown.push_back(i);
   }
   std::vector<verify::Place> places;
+  places.reserve(unknown.size());
   for (Index i : unknown) places.push_back(sites_[i].place);
   const auto references = field_.at(places, [&](Index) { return !stop_ || !stop_(); });
   for (std::size_t i = 0; i < references.size(); ++i) {
