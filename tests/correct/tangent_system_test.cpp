@@ -144,8 +144,7 @@ TEST(TangentSystem, SameBitsForOneAndTwoThreads) {
   Random random;
   const Problem p = random_problem(random, 3, 3, 9, 7, true);
   const TangentSystem system(p.u, p.v, 1);
-  const auto [one, two] =
-      on_one_and_two_threads([&] { return system.solve(p.points(), 1e-9, p.holding()); });
+  const auto [one, two] = on_one_and_two_threads([&] { return system.solve(p.points(), 1e-9, p.holding()); });
   EXPECT_EQ(one->net(), two->net());
 }
 
