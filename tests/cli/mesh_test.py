@@ -190,7 +190,7 @@ class Fit(MeshTest):
         self.assertEqual(len(rows), 1590)
         for error, distance, held in zip(columns["error"], columns["distance"], columns["error_at_parameters"]):
             self.assertEqual(error, abs(distance))
-            self.assertGreaterEqual(held, error * (1 - 1e-9))
+            self.assertGreaterEqual(held, error * (1 - 1e-9) - 1e-12)  # rounding of coordinates about 1
         self.assertAlmostEqual(max(columns["error"]), report["error"]["max"], places=12)
         distance = self.run_json("distance", "s.json", MASK, "--samples", "0")["points_to_surface"]
         self.assertAlmostEqual(distance["rms"], report["error"]["rms"], delta=1e-9)
@@ -202,7 +202,7 @@ class Fit(MeshTest):
         self.assertEqual(self.run_json("fit", MASK, "--options", "t.json")["options"]["correct"], "3")
 
     def test_fairness_and_reflection_lines(self):
-        size = ("--control-points", "16", "--knots", "uniform", "--correct", "6", "--between", "off", "--force")
+        size = ("--control-points", "8", "--knots", "uniform", "--correct", "6", "--between", "off", "--force")
         none, fair = [self.run_json("fit", MASK, *size, "--fairness", x, "-o", "s.json", "-o", "s.png")["correction"]
                       for x in ("0", "100")]
         self.assertLess(fair["folds"]["normal_angle"], none["folds"]["normal_angle"])
