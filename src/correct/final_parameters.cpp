@@ -55,15 +55,20 @@ std::vector<std::int32_t> around(Faces faces, const Stars& stars, std::size_t tr
 }
 
 /// Lays a patch around each turned triangle anew, its vertices at the means of their neighbours [Tutte63]: within an
-/// outline that is convex enough none is turned over. The smallest patch that leaves fewer of them is taken.
+/// outline that is convex enough none is turned over. Small patches first; one is taken where it leaves fewer turned.
 bool lay_anew(Faces faces, const Stars& stars, std::span<const Slide> slide, const std::vector<double>& first,
               std::vector<double>& uv) {
   constexpr int most_rings = 64, sweeps = 400;
-  bool all = true;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    bool done = !turned(faces[f], first, uv);
-    for (int rings = 1; rings <= most_rings && !done; rings *= 2) {
+  constexpr std::size_t most_moves = 40'000'000;  // two seconds
+  std::size_t moves = 0, left = 1;
+  for (int rings = 1; rings <= most_rings && left > 0; rings *= 2) {
+    left = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (!turned(faces[f], first, uv)) continue;
+      ++left;
       const std::vector<std::int32_t> patch = around(faces, stars, f, rings);
+      moves += sweeps * patch.size();
+      if (moves > most_moves) return false;
       const auto bad = [&] {
         int count = 0;
         for (const std::int32_t k : patch)
@@ -85,12 +90,14 @@ bool lay_anew(Faces faces, const Stars& stars, std::span<const Slide> slide, con
           if (slide[k] == Slide::free || slide[k] == Slide::along_u) uv[2 * k] = mean[0] / count;
           if (slide[k] == Slide::free || slide[k] == Slide::along_v) uv[2 * k + 1] = mean[1] / count;
         }
-      done = !turned(faces[f], first, uv) && bad() < before;
-      for (std::size_t n = 0; n < patch.size() && !done; ++n) std::copy_n(&kept[2 * n], 2, &uv[2 * patch[n]]);
+      if (bad() < before) {
+        left -= !turned(faces[f], first, uv);
+        continue;
+      }
+      for (std::size_t n = 0; n < patch.size(); ++n) std::copy_n(&kept[2 * n], 2, &uv[2 * patch[n]]);
     }
-    all = all && done;
   }
-  return all;
+  return left == 0;
 }
 
 }  // namespace
