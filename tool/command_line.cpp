@@ -367,8 +367,7 @@ void add_fit(CLI::App& app, FitArguments& fit) {
       "Meshes", [&](const std::string& t) { c.correct = parse_correct(t); });
   add(app, "--fairness", "X",
       "Weight of a correction against ruffles that do not turn back, in times of its own: 0 none, 10 a "
-      "fairer "
-      "surface that is farther from the data; default 1",
+      "fairer surface that is farther from the data; default 1",
       "Meshes", [&](const std::string& t) { c.fairness = parse_not_negative(t); });
   add_output_options(
       app, fit.output,

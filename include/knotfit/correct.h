@@ -23,8 +23,8 @@ struct CorrectionOptions {
   int rounds = 30;  ///< 0: the plain fit at the parameters given
   /// Rows that keep the surface from folding over the mesh, of the tangent step.
   bool hinge = true;
-  /// Weight of curvature data against ruffles that do not turn back, of the tangent step; 0: none. Ten times the
-  /// default is fairer at the price of larger distances.
+  /// Weight of the curvature data, of the tangent step: against ruffles that do not turn back; at least 0, 0: none.
+  /// Ten times the default is fairer at the price of larger distances.
   double fairness = 1e-3;
   bool slide = true;           ///< boundary vertices slide along their side
   bool round_corners = false;  ///< and past its ends; else the four corners stay
@@ -76,7 +76,8 @@ struct CorrectionResult {
 
 /// Alternates foot points and control points on fixed knots [METHOD 7, "Correction"]: the tangent step of Wang et
 /// al., held between the vertices by the gradients of the mesh map, kept from folding by hinge rows on the
-/// singular values of the surface against the blurred mesh, with no parameter triangle ever turned over. The best
+/// singular values of the surface against the blurred mesh, drawn to the blurred mesh's curvature where the normals are
+/// far apart (docs/decisions/0008), with no parameter triangle ever turned over. The best
 /// round by RMS (1 + 20 folded share) is kept. The same bits for any number of threads.
 /// \param mesh  any mesh whose triangles lie right at uv; virtual faces are parameterized, never data
 /// \param uv    n x 2 in [0,1]

@@ -166,7 +166,7 @@ Verdict Batch::judge(const CellPolynomials& surface) const {
 
 HingeState Batch::hinge(const CellPolynomials& surface, std::vector<double>& weights, bool renew,
                         double fairness) const {
-  if (options_.step != CorrectionStep::tangent) return {};
+  if (options_.step != CorrectionStep::tangent || (!options_.hinge && options_.fairness == 0)) return {};
   HingeState state = hinge_rows(surface, reference_, weights, fairness * resolved_ * options_.fairness);
   if (!options_.hinge) state.rows.clear();
   if (renew)

@@ -34,6 +34,20 @@ class Stars {
   std::vector<std::size_t> begin_, triangle_;
 };
 
+/// Neighbours weigh by the triangles they share with the vertex.
+std::array<double, 2> mean_of_neighbours(Faces faces, const Stars& stars, std::span<const double> uv,
+                                         std::int32_t k) {
+  std::array<double, 2> mean{};
+  double count = 0;
+  for (const std::size_t i : stars.of(k))
+    for (const std::int32_t j : faces[i])
+      if (j != k) {
+        count += 1;
+        for (int d = 0; d < 2; ++d) mean[d] += uv[2 * j + d];
+      }
+  return {mean[0] / count, mean[1] / count};
+}
+
 /// What lies right in `first` and not in `uv`.
 bool turned(const std::array<std::int32_t, 3>& t, const std::vector<double>& first,
             const std::vector<double>& uv) {
@@ -80,15 +94,9 @@ bool lay_anew(Faces faces, const Stars& stars, std::span<const Slide> slide, con
       for (const std::int32_t k : patch) kept.insert(kept.end(), {uv[2 * k], uv[2 * k + 1]});
       for (int sweep = 0; sweep < sweeps; ++sweep)
         for (const std::int32_t k : patch) {
-          double mean[2] = {0, 0}, count = 0;
-          for (const std::size_t i : stars.of(k))
-            for (const std::int32_t j : faces[i])
-              if (j != k) {
-                count += 1;
-                for (int d = 0; d < 2; ++d) mean[d] += uv[2 * j + d];
-              }
-          if (slide[k] == Slide::free || slide[k] == Slide::along_u) uv[2 * k] = mean[0] / count;
-          if (slide[k] == Slide::free || slide[k] == Slide::along_v) uv[2 * k + 1] = mean[1] / count;
+          const std::array<double, 2> mean = mean_of_neighbours(faces, stars, uv, k);
+          if (slide[k] == Slide::free || slide[k] == Slide::along_u) uv[2 * k] = mean[0];
+          if (slide[k] == Slide::free || slide[k] == Slide::along_v) uv[2 * k + 1] = mean[1];
         }
       if (bad() < before) {
         left -= !turned(faces[f], first, uv);
@@ -132,20 +140,13 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
     bool moved = false;
     for (const std::int32_t k : vertices) {
       if (slide[k] == Slide::fixed) continue;
-      double mean[2] = {0, 0}, count = 0;
-      for (const std::size_t i : stars.of(k))
-        for (const std::int32_t j : faces[i])
-          if (j != k) {
-            count += 1;
-            for (int d = 0; d < 2; ++d) mean[d] += uv[2 * j + d];
-          }
+      const std::array<double, 2> mean = mean_of_neighbours(faces, stars, uv, k);
       const double here[2] = {uv[2 * k], uv[2 * k + 1]};
       double best[2] = {here[0], here[1]}, most = smallest(k);
       for (const double way : ways) {
-        if (slide[k] != Slide::along_v)
-          uv[2 * k] = std::clamp(here[0] + way * (mean[0] / count - here[0]), 0.0, 1.0);
+        if (slide[k] != Slide::along_v) uv[2 * k] = std::clamp(here[0] + way * (mean[0] - here[0]), 0.0, 1.0);
         if (slide[k] != Slide::along_u)
-          uv[2 * k + 1] = std::clamp(here[1] + way * (mean[1] / count - here[1]), 0.0, 1.0);
+          uv[2 * k + 1] = std::clamp(here[1] + way * (mean[1] - here[1]), 0.0, 1.0);
         if (const double size = smallest(k); size > most) {
           most = size;
           best[0] = uv[2 * k], best[1] = uv[2 * k + 1];

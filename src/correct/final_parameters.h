@@ -18,8 +18,9 @@ std::vector<double> final_parameters(std::span<const std::array<std::int32_t, 3>
                                      std::vector<double> from, std::vector<double> corrected,
                                      const Surface& surface);
 
-/// Vertices of triangles that are turned over, and those around them, go towards the mean of their neighbours as far as the
-/// smallest of their triangles grows, so that none is turned over that was not; what is left is laid anew in patches.
+/// Vertices of triangles that are turned over, and those around them, go towards the mean of their neighbours as far as
+/// the smallest of their triangles grows, so that none is turned over that was not; what is left is laid anew in
+/// patches [Tutte63].
 /// \return whether every triangle that lies right in `first` does in `uv`
 bool untangle(std::span<const std::array<std::int32_t, 3>> faces, std::span<const Slide> slide,
               const std::vector<double>& first, std::vector<double>& uv);

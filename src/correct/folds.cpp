@@ -119,8 +119,9 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
   for (Index q = 0; q < n; ++q) {
     if (!use[q]) continue;
     const double w = weight[q] /= covered;
-    turned[q] = dot(unit(own[q]), at(&means[3 * q]));
-    const double angle = std::acos(std::clamp(dot(unit(own[q]), unit(at(&means[3 * q]))), -1.0, 1.0));
+    const Vec3 normal = unit(own[q]), mean = at(&means[3 * q]);
+    turned[q] = dot(normal, mean);
+    const double angle = std::acos(std::clamp(dot(normal, unit(mean)), -1.0, 1.0));
     angles += w * angle * angle;
     folded[q] = turned[q] < 0;
     if (folded[q]) report.blurred += w;

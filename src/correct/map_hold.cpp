@@ -108,6 +108,7 @@ Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable
       const Vec3 mean = at(&means[9 * q]), xu = at(&means[9 * q + 3]), xv = at(&means[9 * q + 6]);
       if (!use[q] || length(mean) < 1e-6) continue;
       s.n = unit(mean);
+      s.xu = xu, s.xv = xv;
       Vec3 x = xu - dot(s.n, xu) * s.n;
       if (length(x) < 1e-12) x = cross(xv, s.n);
       if (length(x) < 1e-12) continue;
@@ -127,28 +128,23 @@ Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable
       s.k[3] = (-sr * sq / s1 + cr * cq / s2) / av;
     }
   });
-  // Curvature from how the mean normals turn over half a span to both sides: n . X_uu = -n_u . X_u, and so on.
-  constexpr Index reach = kReferencePerSpan / 2;
-  const std::vector<double> centre_u = window_centres(r.grid.u, reach),
-                            centre_v = window_centres(r.grid.v, reach);
-  parallel_for(nu, [&](Index i) {
-    const Index i0 = std::max<Index>(0, i - reach), i1 = std::min(nu - 1, i + reach);
-    for (Index j = 0; j < nv; ++j) {
-      const Index q = i * nv + j, j0 = std::max<Index>(0, j - reach), j1 = std::min(nv - 1, j + reach);
-      const Reference::Sample &u0 = r.samples[i0 * nv + j], &u1 = r.samples[i1 * nv + j],
-                              &v0 = r.samples[i * nv + j0], &v1 = r.samples[i * nv + j1];
-      Reference::Sample& s = r.samples[q];
-      if (!s.used || !u0.used || !u1.used || !v0.used || !v1.used || i0 == i1 || j0 == j1) continue;
-      const Vec3 n_u = 1 / (centre_u[i1] - centre_u[i0]) * (u1.n - u0.n),
-                 n_v = 1 / (centre_v[j1] - centre_v[j0]) * (v1.n - v0.n), x_u = at(&means[9 * q + 3]),
-                 x_v = at(&means[9 * q + 6]);
-      s.bend[0] = -dot(n_u, x_u);
-      s.bend[1] = -0.5 * (dot(n_u, x_v) + dot(n_v, x_u));
-      s.bend[2] = -dot(n_v, x_v);
-      s.bent = true;
-    }
-  });
+  r.centre_u = window_centres(r.grid.u, kReferencePerSpan / 2);
+  r.centre_v = window_centres(r.grid.v, kReferencePerSpan / 2);
   return r;
+}
+
+std::optional<std::array<double, 3>> curvature_at(const Reference& r, Index i, Index j) {
+  constexpr Index reach = kReferencePerSpan / 2;
+  const Index nu = static_cast<Index>(r.grid.u.size()), nv = static_cast<Index>(r.grid.v.size());
+  const Index i0 = std::max<Index>(0, i - reach), i1 = std::min(nu - 1, i + reach),
+              j0 = std::max<Index>(0, j - reach), j1 = std::min(nv - 1, j + reach);
+  const Reference::Sample &s = r.samples[i * nv + j], &u0 = r.samples[i0 * nv + j],
+                          &u1 = r.samples[i1 * nv + j], &v0 = r.samples[i * nv + j0],
+                          &v1 = r.samples[i * nv + j1];
+  if (!s.used || !u0.used || !u1.used || !v0.used || !v1.used) return std::nullopt;
+  const Vec3 n_u = 1 / (r.centre_u[i1] - r.centre_u[i0]) * (u1.n - u0.n),
+             n_v = 1 / (r.centre_v[j1] - r.centre_v[j0]) * (v1.n - v0.n);
+  return std::array{-dot(n_u, s.xu), -0.5 * (dot(n_u, s.xv) + dot(n_v, s.xu)), -dot(n_v, s.xv)};
 }
 
 namespace {
@@ -197,14 +193,12 @@ HingeState hinge_rows(const CellPolynomials& surface, const Reference& ref,
           state.cell_folds[cell] = 1;
         }
         if (weights.empty()) continue;
-        if (const double off = fairness > 0 && s.bent ? ruffled(jet, s.n) : 0; off > 0) {
+        const double off = fairness > 0 ? ruffled(jet, s.n) : 0;
+        if (const auto target = off > 0 ? curvature_at(ref, a * g + x / g, b * g + x % g) : std::nullopt) {
           const double hu = tu.length(a) * tu.length(a), hv = tv.length(b) * tv.length(b),
                        w = fairness * off * area / (whole * g * g);
-          parts[a].curvature.push_back({uv[2 * x],
-                                        uv[2 * x + 1],
-                                        s.n,
-                                        {w * hu * hu, 2 * w * hu * hv, w * hv * hv},
-                                        {s.bend[0], s.bend[1], s.bend[2]}});
+          parts[a].curvature.push_back(
+              {uv[2 * x], uv[2 * x + 1], s.n, {w * hu * hu, 2 * w * hu * hv, w * hv * hv}, *target});
         }
         const double j[4] = {dot(s.t1, jet.u), dot(s.t1, jet.v), dot(s.t2, jet.u), dot(s.t2, jet.v)};
         const double m[4] = {j[0] * s.k[0] + j[1] * s.k[2], j[0] * s.k[1] + j[1] * s.k[3],

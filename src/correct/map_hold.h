@@ -1,5 +1,7 @@
 // What of the mesh map holds the surface between the vertices: its gradients and its senses [METHOD 7].
 #pragma once
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "correct/holding_mesh.h"
@@ -15,17 +17,22 @@ std::vector<GradientDatum> gradient_data(const HoldingMesh& mesh, const SpanTabl
 struct Reference {
   MapSamples grid;
   struct Sample {
-    Vec3 n, t1, t2;                   ///< mean normal, and the frame in its plane
-    double k[4] = {};                 ///< K: 2 x 2, row-major
-    double bend[3] = {};              ///< n . X_uu, n . X_uv, n . X_vv
-    bool used = false, bent = false;  ///< bent: bend is known
+    Vec3 n, t1, t2;    ///< mean normal, and the frame in its plane
+    Vec3 xu, xv;       ///< mean derivatives
+    double k[4] = {};  ///< K: 2 x 2, row-major
+    bool used = false;
   };
   std::vector<Sample> samples;
-  double mean_area = 0;  ///< of |X_u x X_v|
+  std::vector<double> centre_u, centre_v;  ///< by grid line: the middle of what the means there are over
+  double mean_area = 0;                    ///< of |X_u x X_v|
 };
 inline constexpr int kReferencePerSpan = 4;
 /// \param aspect  rho, width over height of the rectangle that suits the map
 Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable& v, double aspect);
+
+/// n . X_uu, n . X_uv, n . X_vv at a sample, from how the mean normals turn over half a span to both sides:
+/// n . X_uu = -n_u . X_u, and so on. \return nothing where there is no mesh on one of them
+std::optional<std::array<double, 3>> curvature_at(const Reference& reference, Index i, Index j);
 
 struct HingeState {
   double folded = 0;             ///< share of the square with (S_u x S_v).n < 0

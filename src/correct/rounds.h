@@ -19,7 +19,7 @@ struct Rounds {
   double merit() const { return surface ? merit_of(error, folded) : INFINITY; }  ///< of the best
 };
 
-/// \param mesh     lengths over the diagonal
+/// \param mesh        lengths over the diagonal
 /// \param options     checked; start and keep_by in the frame
 /// \param keep_start  the best may be what the rounds began with
 Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector& knots_v,

@@ -1,4 +1,5 @@
-// The control points of one round: points with a matrix each, gradient data, hinge rows [METHOD 7, "Tangent step"].
+// The control points of one round: points with a matrix each, and what holds the surface between them
+// [METHOD 7, "Tangent step"].
 #pragma once
 #include <array>
 #include <optional>

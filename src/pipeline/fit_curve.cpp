@@ -149,10 +149,7 @@ Status search(CurveFitter& fitter, const CurveFitOptions& options, const Toleran
     return holds;
   };
   const auto start = std::chrono::steady_clock::now();
-  const auto late = [&] {
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    return control.time_limit > 0 && taken.count() > control.time_limit;
-  };
+  const auto late = [&] { return out_of_time(control, start); };
   const auto cut = [&](Status otherwise) {
     return control.stop.stop_requested() ? Status::stopped : late() ? Status::time_limit : otherwise;
   };

@@ -167,15 +167,14 @@ TEST(Reference, KnowsTheCurvatureOfTheMesh) {
   }
   const SpanTable t(KnotVector::uniform(3, 7));
   const Reference r = reference(m, t, t, 1);
-  Index bent = 0;
-  for (const Reference::Sample& s : r.samples) {
-    if (!s.bent) continue;
-    ++bent;
-    EXPECT_NEAR(s.bend[0], -0.5, 0.05);  // |X_uu| = 1 / 2, against the outward normal
-    EXPECT_NEAR(s.bend[1], 0, 0.01);
-    EXPECT_NEAR(s.bend[2], 0, 0.01);
-  }
-  EXPECT_EQ(bent, 32 * 32);
+  for (Index i = 0; i < 32; ++i)
+    for (Index j = 0; j < 32; ++j) {
+      const auto bend = curvature_at(r, i, j);
+      ASSERT_TRUE(bend);
+      EXPECT_NEAR((*bend)[0], -0.5, 0.05);  // |X_uu| = 1 / 2, against the outward normal
+      EXPECT_NEAR((*bend)[1], 0, 0.01);
+      EXPECT_NEAR((*bend)[2], 0, 0.01);
+    }
 }
 
 /// (u, v, height) over a flat mesh, the control points' heights alternating along u.
