@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "correct/parameter_guard.h"
 namespace knotfit::correction {
@@ -56,53 +58,126 @@ bool turned(const std::array<std::int32_t, 3>& t, const std::vector<double>& fir
 }
 
 /// The vertices at most `rings` edges from a triangle.
-std::vector<std::int32_t> around(Faces faces, const Stars& stars, std::size_t triangle, int rings) {
+std::vector<std::int32_t> around(Faces faces, const Stars& stars, std::size_t triangle, int rings,
+                                 std::vector<char>& met) {
   std::vector<std::int32_t> found(faces[triangle].begin(), faces[triangle].end());
-  for (int ring = 0; ring < rings; ++ring) {
-    const std::vector<std::int32_t> inner = found;
-    for (const std::int32_t k : inner)
-      for (const std::size_t i : stars.of(k)) found.insert(found.end(), faces[i].begin(), faces[i].end());
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (const std::int32_t k : found) met[k] = 1;
+  for (std::size_t from = 0, ring = 0; ring < static_cast<std::size_t>(rings); ++ring) {
+    const std::size_t to = found.size();
+    for (; from < to; ++from)
+      for (const std::size_t i : stars.of(found[from]))
+        for (const std::int32_t k : faces[i])
+          if (!std::exchange(met[k], 1)) found.push_back(k);
   }
+  for (const std::int32_t k : found) met[k] = 0;
+  std::sort(found.begin(), found.end());
   return found;
 }
 
-/// Lays a patch around each turned triangle anew, its vertices at the means of their neighbours [Tutte63]: within an
-/// outline that is convex enough none is turned over. Small patches first; one is taken where it leaves fewer turned.
+/// Vertices around a turned triangle and what each is the mean of.
+struct Patch {
+  std::vector<std::int32_t> vertices;
+  std::vector<std::pair<std::int32_t, double>> weights;  ///< neighbours, those of a vertex add up to 1
+  std::vector<std::size_t> end;                          ///< of each vertex's weights
+};
+
+/// Adds the weights with which a vertex's place in `first` is the mean of its neighbours': mean value coordinates
+/// [Floater03], and along a side of the square those of the two next to it.
+void add_weights(Faces faces, const Stars& stars, std::span<const Slide> slide,
+                 const std::vector<double>& first, std::int32_t k, Patch& patch) {
+  const std::size_t begin = patch.weights.size();
+  const auto add_along = [&](std::size_t d) {
+    for (const std::size_t i : stars.of(k))
+      for (const std::int32_t j : faces[i])
+        if (const double apart = std::abs(first[2 * j + d] - first[2 * k + d]);
+            apart > 0 && first[2 * j + 1 - d] == first[2 * k + 1 - d])
+          patch.weights.push_back({j, 1 / apart});
+  };
+  if (slide[k] == Slide::along_u) add_along(0);
+  if (slide[k] == Slide::along_v) add_along(1);
+  if (slide[k] == Slide::free)
+    for (const std::size_t i : stars.of(k)) {
+      const auto& t = faces[i];
+      const std::size_t n = t[0] == k ? 0 : t[1] == k ? 1 : 2;
+      const std::int32_t a = t[(n + 1) % 3], b = t[(n + 2) % 3];
+      const double au = first[2 * a] - first[2 * k], av = first[2 * a + 1] - first[2 * k + 1],
+                   bu = first[2 * b] - first[2 * k], bv = first[2 * b + 1] - first[2 * k + 1];
+      const double la = std::hypot(au, av), lb = std::hypot(bu, bv), turn = au * bv - av * bu;
+      if (!(turn > 0)) continue;
+      const double half = turn / (la * lb + au * bu + av * bv);  // tangent of half the angle at k
+      patch.weights.push_back({a, half / la});
+      patch.weights.push_back({b, half / lb});
+    }
+  double sum = 0;
+  for (std::size_t at = begin; at < patch.weights.size(); ++at) sum += patch.weights[at].second;
+  for (std::size_t at = begin; at < patch.weights.size(); ++at) patch.weights[at].second /= sum;
+  patch.end.push_back(patch.weights.size());
+}
+
+constexpr int most_sweeps(int rings) {
+  return 20 + 10 * rings;
+}
+
+/// Successive over-relaxation until every vertex is the mean that its weights say. \return false where it does not settle
+bool relax(const Patch& patch, std::span<const Slide> slide, int rings, std::vector<double>& uv) {
+  constexpr double settled = 1e-9, lost = 10, most_relaxation = 1.8;
+  const double relaxation = std::min(most_relaxation, 2 / (1 + std::sin(std::numbers::pi / (2 * rings + 2))));
+  for (int sweep = 0; sweep < most_sweeps(rings); ++sweep) {
+    double largest = 0;
+    std::size_t at = 0;
+    for (std::size_t n = 0; n < patch.vertices.size(); ++n) {
+      if (at == patch.end[n]) continue;
+      double mean[2] = {0, 0};
+      for (; at < patch.end[n]; ++at)
+        for (int d = 0; d < 2; ++d) mean[d] += patch.weights[at].second * uv[2 * patch.weights[at].first + d];
+      const std::int32_t k = patch.vertices[n];
+      for (int d = 0; d < 2; ++d) {
+        if (slide[k] == (d == 0 ? Slide::along_v : Slide::along_u)) continue;
+        const double step = relaxation * (mean[d] - uv[2 * k + d]);
+        uv[2 * k + d] = std::clamp(uv[2 * k + d] + step, 0.0, 1.0);
+        largest = std::max(largest, std::abs(step));
+      }
+    }
+    if (!(largest < lost)) return false;
+    if (largest < settled) break;
+  }
+  return true;
+}
+
+/// Lays a patch around each turned triangle anew, as the map had it but for what its outline asks. Small patches first;
+/// one is taken where it leaves fewer turned.
 bool lay_anew(Faces faces, const Stars& stars, std::span<const Slide> slide, const std::vector<double>& first,
               std::vector<double>& uv) {
-  constexpr int most_rings = 64, sweeps = 400;
-  constexpr std::size_t most_moves = 40'000'000;  // two seconds
+  constexpr int most_rings = 64;
+  constexpr std::size_t most_moves = 30'000'000;  // half a second
   std::size_t moves = 0, left = 1;
+  std::vector<char> met(slide.size(), 0);
   for (int rings = 1; rings <= most_rings && left > 0; rings *= 2) {
     left = 0;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (!turned(faces[f], first, uv)) continue;
       ++left;
-      const std::vector<std::int32_t> patch = around(faces, stars, f, rings);
-      moves += sweeps * patch.size();
-      if (moves > most_moves) return false;
+      Patch patch{around(faces, stars, f, rings, met), {}, {}};
+      std::vector<double> kept;
+      for (const std::int32_t k : patch.vertices) {
+        add_weights(faces, stars, slide, first, k, patch);
+        kept.insert(kept.end(), {uv[2 * k], uv[2 * k + 1]});
+      }
       const auto bad = [&] {
         int count = 0;
-        for (const std::int32_t k : patch)
+        for (const std::int32_t k : patch.vertices)
           for (const std::size_t i : stars.of(k)) count += turned(faces[i], first, uv);
         return count;
       };
       const int before = bad();
-      std::vector<double> kept;
-      for (const std::int32_t k : patch) kept.insert(kept.end(), {uv[2 * k], uv[2 * k + 1]});
-      for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (const std::int32_t k : patch) {
-          const std::array<double, 2> mean = mean_of_neighbours(faces, stars, uv, k);
-          if (slide[k] == Slide::free || slide[k] == Slide::along_u) uv[2 * k] = mean[0];
-          if (slide[k] == Slide::free || slide[k] == Slide::along_v) uv[2 * k + 1] = mean[1];
-        }
-      if (bad() < before) {
+      if (relax(patch, slide, rings, uv) && bad() < before) {
         left -= !turned(faces[f], first, uv);
-        continue;
+      } else {
+        for (std::size_t n = 0; n < patch.vertices.size(); ++n)
+          std::copy_n(&kept[2 * n], 2, &uv[2 * patch.vertices[n]]);
       }
-      for (std::size_t n = 0; n < patch.size(); ++n) std::copy_n(&kept[2 * n], 2, &uv[2 * patch[n]]);
+      moves += static_cast<std::size_t>(most_sweeps(rings)) * patch.vertices.size();
+      if (moves > most_moves) return false;
     }
   }
   return left == 0;

@@ -20,7 +20,7 @@ std::vector<double> final_parameters(std::span<const std::array<std::int32_t, 3>
 
 /// Vertices of triangles that are turned over, and those around them, go towards the mean of their neighbours as far as
 /// the smallest of their triangles grows, so that none is turned over that was not; what is left is laid anew in
-/// patches [Tutte63].
+/// patches, by mean value coordinates of `first` [Floater03].
 /// \return whether every triangle that lies right in `first` does in `uv`
 bool untangle(std::span<const std::array<std::int32_t, 3>> faces, std::span<const Slide> slide,
               const std::vector<double>& first, std::vector<double>& uv);

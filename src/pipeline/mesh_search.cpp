@@ -58,6 +58,8 @@ class MeshSizes {
     Rounds rounds;
   };
 
+  enum class Outcome { misses, folds, holds };
+
   Index size(const Spans& s) const {
     return (s.first + Index{options_.degree_u}) * (s.second + Index{options_.degree_v});
   }
@@ -65,14 +67,16 @@ class MeshSizes {
     const auto whole = [](double x) { return std::max(1, static_cast<int>(std::lround(x))); };
     return {whole(std::sqrt(product * ratio_)), whole(std::sqrt(product / ratio_))};
   }
+  static InteriorKnots uniform(const Spans& s) {
+    return {uniform_knots(s.first - 1), uniform_knots(s.second - 1)};
+  }
   bool interrupted() const { return watch_.over() || rounds_of_.fits() >= most_rounds_; }
 
   /// On uniform knots; the same for every tolerance. \param from  a smaller size; null: from the map
   State solve(const Spans& at, const State* from) {
-    const InteriorKnots knots{uniform_knots(at.first - 1), uniform_knots(at.second - 1)};
     if (!from || !from->rounds.surface)
-      return {at, rounds_of_.correct(work_.first(), knots, nullptr, rounds_)};
-    return {at, rounds_of_.correct(from->rounds.uv, knots, &*from->rounds.surface, rounds_)};
+      return {at, rounds_of_.correct(work_.first(), uniform(at), nullptr, rounds_)};
+    return {at, rounds_of_.correct(from->rounds.uv, uniform(at), &*from->rounds.surface, rounds_)};
   }
 
   bool near(const Rounds& r) const {
@@ -80,6 +84,20 @@ class MeshSizes {
   }
   Rounds polished(Rounds base) const {
     return near(base) ? rounds_of_.polished(std::move(base)) : std::move(base);
+  }
+
+  /// Measured on the whole surface. One that only folds is kept until a larger one does not.
+  Outcome verify(State& state) {
+    if (!rounds_of_.meets(state.rounds)) return Outcome::misses;
+    CorrectionResult result = work_.finish(state.rounds, false, control_);
+    const double error = work_.error(result, tolerance_);
+    state.rounds.error = std::min(state.rounds.error, error);
+    if (error > tolerance_.value) return Outcome::misses;
+    const bool holds = !folds_over(result.folds);
+    if (holds || !verified_) verified_ = std::move(result);
+    if (holds) held_ = state.rounds;
+    if (!holds && folded_ == 0) folded_ = size(state.spans);
+    return holds ? Outcome::holds : Outcome::folds;
   }
 
   /// What a size may still gain, where the tolerance is near: first on its knots, then on others as far as the method
@@ -93,19 +111,15 @@ class MeshSizes {
       Rounds polish = polished(moved);
       if (polish.merit() < last.rounds.merit()) last.rounds = std::move(polish);
     }
-    bool holds = false;
-    if (rounds_of_.meets(last.rounds)) {
-      CorrectionResult result = work_.finish(last.rounds, false, control_);
-      const double error = work_.error(result, tolerance_);
-      last.rounds.error = std::min(last.rounds.error, error);
-      if (error <= tolerance_.value) {
-        holds = !folds_over(result.folds);
-        // One that only folds is kept until a larger one does not.
-        if (holds || !verified_) verified_ = std::move(result);
-        if (holds) held_ = last.rounds;
-        if (!holds && folded_ == 0) folded_ = size(state.spans);
-      }
+    Outcome outcome = verify(last);
+    if (outcome == Outcome::folds && !interrupted()) {
+      // The folds may have come with the parameters of smaller sizes.
+      State anew{state.spans, polished(rounds_of_.correct(work_.first(), uniform(state.spans), nullptr,
+                                                          work_.options().rounds))};
+      outcome = verify(anew);
+      if (outcome == Outcome::holds) last = std::move(anew);
     }
+    const bool holds = outcome == Outcome::holds;
     if (!best_.rounds.surface || last.rounds.merit() < best_.rounds.merit()) best_ = last;
     tried_.push_back({state.spans.first + options_.degree_u, state.spans.second + options_.degree_v,
                       last.rounds.error * work_.frame().diagonal, holds});

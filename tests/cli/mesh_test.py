@@ -240,6 +240,16 @@ class Fit(MeshTest):
         self.assertEqual(few["status"], "limit_reached")
         self.assertLessEqual(few["control_points"], 40)
 
+    def test_a_size_that_folds_is_corrected_from_the_map_again(self):
+        head = Path(os.environ.get("KNOTFIT_DATA", "")) / "cowhead.obj"
+        if not head.is_file():
+            self.skipTest("KNOTFIT_DATA has no cowhead.obj")
+        report = self.run_json("fit", head, "--tol", "1%", "--knots", "uniform", "--max-control-points", "400")
+        self.assertEqual(report["status"], "reached")
+        self.assertLessEqual(report["control_points"], 256)
+        self.assertLessEqual(report["correction"]["folds"]["blurred"], 1e-3)
+        self.assertEqual(report["correction"]["folds"]["flipped_triangles"], 0)
+
     def test_what_cannot_be_corrected_is_refused(self):
         self.write_sheet()
         self.refused("fit", "sheet.obj", "--correct", "5", "--tol", "1%", "--refine", "insert", words=["--refine search"])
