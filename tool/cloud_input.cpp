@@ -70,9 +70,12 @@ MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const C
   return mapped(parameterize_cloud(xyz, options, control), table.line);
 }
 
-MappedMesh map_points(const ParameterizedPoints& points, const FitChoices& choices, const Control& control) {
-  CloudMap cloud = triangulate_parameters(points.values, points.uv);
-  if (choices.new_parameters.value_or(false)) map_outline(cloud, map_options(choices), control);
+MappedMesh map_points(const ParameterizedPoints& points, bool in_rows, const FitChoices& choices,
+                      const Control& control) {
+  CloudMap cloud = in_rows ? map_rows(points.values, points.uv, map_options(choices), control)
+                           : triangulate_parameters(points.values, points.uv);
+  if (choices.new_parameters.value_or(false) && !cloud.mapped)
+    map_outline(cloud, map_options(choices), control);
   return mapped(std::move(cloud), points.source);
 }
 

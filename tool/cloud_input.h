@@ -11,7 +11,10 @@ namespace knotfit::tool {
 /// \throws InvalidInput  no x, y; what the base cannot carry
 MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const Control& control);
 
-/// Points that have parameters as a mesh at these; with --new-parameters at those of a map of the mesh.
-MappedMesh map_points(const ParameterizedPoints& points, const FitChoices& choices, const Control& control);
+/// Points that have parameters as a mesh at these; with --new-parameters, and in rows where that can be, at those of a map
+/// of the mesh.
+/// \param in_rows  of different lengths, one after the other
+MappedMesh map_points(const ParameterizedPoints& points, bool in_rows, const FitChoices& choices,
+                      const Control& control);
 
 }  // namespace knotfit::tool

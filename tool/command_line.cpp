@@ -223,8 +223,10 @@ void add_data_options(CLI::App& app, FitChoices& c) {
   add_input_options(app, c.input);
   add_flag(app, "--height-field", "Fit z over x, y (always so for rasters)", group,
            [&] { c.height_field = true; });
-  add(app, "--spacing", one_of(kSpacings), "Parameters of rows and grids of points; default chord", group,
-      [&](const std::string& t) { c.spacing = parse_named(kSpacings, t); });
+  add(app, "--spacing", one_of(kSpacings),
+      "Parameters of rows and grids of points; default chord (rows of different lengths are then mapped anew "
+      "where they are corrected)",
+      group, [&](const std::string& t) { c.spacing = parse_named(kSpacings, t); });
   add_flag(app, "--rescale-parameters",
            "Map the range of u and of v to [0,1]; without it a parameter outside "
            "[0,1] is an error",

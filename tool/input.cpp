@@ -49,7 +49,7 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
   const bool height_field = choices.height_field.value_or(false);
   if (const Raster* raster = std::get_if<Raster>(&data.content)) return parameterize_height_field(*raster);
   ParameterizedPoints points;
-  bool mesh = corrected(choices);
+  bool mesh = corrected(choices), in_rows = false;
   if (const PointTable* table = std::get_if<PointTable>(&data.content)) {
     if (height_field) return parameterize_height_field(*table);
     if (table->u.empty() || wants_base(choices)) return parameterize_cloud(*table, choices, control, mapped);
@@ -59,13 +59,16 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
     if (height_field) return parameterize_height_field(table_of(rows));
     if (choices.base.value_or("auto") != "auto")
       return parameterize_cloud(table_of(rows), choices, control, mapped);
-    points = parameterize_rows(rows, choices.spacing.value_or(RowSpacing::chord));
+    const RowSpacing spacing = choices.spacing.value_or(RowSpacing::chord);
+    points = parameterize_rows(rows, spacing);
     // Rows of different lengths have parameters that mean little from row to row.
-    mesh = mesh || (rows.common_length() == 0 && choices.correct.value_or(-1) != 0);
+    const bool ragged = rows.common_length() == 0;
+    mesh = mesh || (ragged && choices.correct.value_or(-1) != 0);
+    in_rows = ragged && spacing == RowSpacing::chord;
   }
   const bool anew = choices.new_parameters.value_or(false);
   if ((!mesh && !anew) || points.dimension != 3) return points;
-  mapped = map_points(points, choices, control);
+  mapped = map_points(points, in_rows, choices, control);
   ParameterizedPoints of_mesh = mesh_points(mapped->mesh, mapped->map->uv);
   of_mesh.map = points.map;
   return of_mesh;

@@ -157,11 +157,14 @@ std::string mesh_to_json(const MappedMesh& mapped) {
 }
 
 std::string cloud_to_json(const CloudMap& cloud) {
+  std::vector<Index> stray_rows;  // from 1, as in the description
+  for (const Index r : cloud.stray_rows) stray_rows.push_back(r + 1);
   Json j = {{"base", name_of(kBases, cloud.base)},
             {"description", describe(cloud)},
             {"points", cloud.points},
             {"coincident", cloud.coincident},
             {"lone", cloud.lone},
+            {"stray_rows", stray_rows},
             {"folded", cloud.folded},
             {"covered", cloud.covered},
             {"mapped", cloud.mapped}};

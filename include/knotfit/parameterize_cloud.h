@@ -43,8 +43,9 @@ struct CloudMap {
   Index lone = 0;        ///< points left out: no triangle of the data has them (outliers, scraps)
   /// Of `plane` and `automatic`: share of the points whose neighbourhood turns away from the plane.
   double folded = 0;
-  double covered = 0;   ///< share of the square under the triangles: elsewhere the surface is free
-  bool mapped = false;  ///< the outline was laid along the square by map_outline()
+  std::vector<Index> stray_rows;  ///< of map_rows(): left out, far from both neighbours; from 0
+  double covered = 0;             ///< share of the square under the triangles: elsewhere the surface is free
+  bool mapped = false;            ///< the outline was laid along the square by map_outline()
   std::array<double, 3> centre{}, axis{};  ///< of the plane (its normal) or the cylinder
   double radius = 0;                       ///< of the cylinder
   double scatter = 0;                      ///< RMS distance of the points from the plane or cylinder
@@ -61,6 +62,16 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
 /// \param uv  n x 2 in [0,1]
 /// \throws InvalidInput  lengths that do not fit, parameters outside [0,1], all on one line
 CloudMap triangulate_parameters(std::span<const double> points, std::span<const double> uv);
+
+/// Points in rows (parameterize_rows), each row joined to the next by triangles whose edges across are shortest in all
+/// [Fuchs77]: however far chord length has shifted neighbouring rows against each other, places that are near in space are
+/// joined. A row that is 8 times as far from both its neighbours as rows are, while those are near each other, is left out.
+/// Up to 100 000 points are mapped by map_outline(), where that can be. Where v does not rise from row to row:
+/// triangulate_parameters().
+/// \param uv  n x 2 in [0,1]; v of a row's points is equal, u rises along it
+/// \throws InvalidInput  as triangulate_parameters()
+CloudMap map_rows(std::span<const double> points, std::span<const double> uv,
+                  const MeshMapOptions& options = {}, const Control& control = {});
 
 /// Keeps the largest part of the triangles, closes its holes by virtual ones, and maps it by parameterize_mesh(): the
 /// outline comes to lie along the sides of the square, and no part of it is without data.

@@ -10,6 +10,7 @@
 #include "parameterize/cloud_graph.h"
 #include "parameterize/cloud_neighbours.h"
 #include "parameterize/cloud_triangulation.h"
+#include "parameterize/row_triangulation.h"
 namespace knotfit {
 namespace {
 
@@ -53,6 +54,29 @@ double folded_share(const std::vector<Vector>& normals, const Vector& axis) {
   return 1 - static_cast<double>(std::max(up, down)) / static_cast<double>(normals.size());
 }
 
+/// Mapped where it can be: several pieces, or none that is a disk, stay as they are.
+CloudMap outlined(CloudMap cloud, const MeshMapOptions& options, const Control& control) {
+  if (cloud.points > kMostMapped) return cloud;
+  CloudMap mapped = cloud;
+  try {
+    map_outline(mapped, options, control);
+  } catch (const InvalidInput&) {
+    return cloud;
+  }
+  return mapped;
+}
+
+void check_parameters(std::span<const double> points, std::span<const double> uv) {
+  const Index n = count_of(points);
+  if (static_cast<Index>(uv.size()) != 2 * n)
+    throw InvalidInput(
+        fmt::format("{} points need {} parameters, u and v each; there are {}", n, 2 * n, uv.size()));
+  for (std::size_t k = 0; k < uv.size(); ++k)
+    if (!(uv[k] >= 0 && uv[k] <= 1))
+      throw InvalidInput(fmt::format("{} of point {} (from 1) is {}: parameters lie in [0,1]",
+                                     k % 2 == 0 ? "u" : "v", k / 2 + 1, uv[k]));
+}
+
 }  // namespace
 
 CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& options,
@@ -74,15 +98,9 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
   if (base == CloudBase::plane || (base == CloudBase::automatic && folded <= options.most_folded)) {
     CloudMap map = over(CloudBase::plane, plane, points);
     map.folded = folded;
-    if (base == CloudBase::automatic && map.covered < options.least_covered && n <= kMostMapped) {
-      CloudMap outlined = map;
-      try {
-        map_outline(outlined, options.map, control);
-        return outlined;
-      } catch (const InvalidInput&) {  // several pieces or none that is a disk: the plane will do
-      }
-    }
-    return map;
+    return base == CloudBase::automatic && map.covered < options.least_covered
+               ? outlined(std::move(map), options.map, control)
+               : map;
   }
   try {
     CloudMap map = cloud::map_graph(points, near, normals, options.map, control);
@@ -117,18 +135,19 @@ void map_outline(CloudMap& cloud, const MeshMapOptions& options, const Control& 
 }
 
 CloudMap triangulate_parameters(std::span<const double> points, std::span<const double> uv) {
-  const Index n = count_of(points);
-  if (static_cast<Index>(uv.size()) != 2 * n)
-    throw InvalidInput(
-        fmt::format("{} points need {} parameters, u and v each; there are {}", n, 2 * n, uv.size()));
-  for (std::size_t k = 0; k < uv.size(); ++k)
-    if (!(uv[k] >= 0 && uv[k] <= 1))
-      throw InvalidInput(fmt::format("{} of point {} (from 1) is {}: parameters lie in [0,1]",
-                                     k % 2 == 0 ? "u" : "v", k / 2 + 1, uv[k]));
+  check_parameters(points, uv);
   const std::array<double, 2> sides = cloud::lengths_of(points, uv);
   std::vector<double> places(uv.begin(), uv.end());
   for (std::size_t k = 0; k < places.size(); ++k) places[k] *= sides[k % 2];
   return cloud::triangulate(points, places, sides);
+}
+
+CloudMap map_rows(std::span<const double> points, std::span<const double> uv, const MeshMapOptions& options,
+                  const Control& control) {
+  check_parameters(points, uv);
+  CloudMap rows = cloud::triangulate_rows(points, uv);
+  return rows.mesh.faces.empty() ? triangulate_parameters(points, uv)
+                                 : outlined(std::move(rows), options, control);
 }
 
 std::string describe(const CloudMap& c) {
@@ -163,6 +182,8 @@ std::string describe(const CloudMap& c) {
                         100 * (1 - c.covered));
   if (c.coincident > 0)
     text += fmt::format("; {} points left out, at the parameters of others", c.coincident);
+  for (const Index r : c.stray_rows)
+    text += fmt::format("; row {} left out, far from both rows beside it", r + 1);
   if (c.lone > 0) text += fmt::format("; {} points left out, apart from the others", c.lone);
   return text;
 }

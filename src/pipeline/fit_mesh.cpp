@@ -27,8 +27,7 @@ void add_notes(MeshFit& fit) {
     notes.push_back(note + ": more control points, or a looser tolerance, leave less of it");
   }
   if (folds.flipped > 0)
-    notes.push_back(
-        fmt::format("{} parameter triangles are turned over or flat, as they were", folds.flipped));
+    notes.push_back(fmt::format("{} parameter triangles are turned over or flat", folds.flipped));
   if (fit.to_mesh.count > 0 && fit.to_mesh.rms > 2 * fit.correction.distance.rms)
     notes.push_back(fmt::format(
         "between the vertices the surface is farther from the mesh (RMS {:.3g}, max {:.3g}) than the "

@@ -1,8 +1,10 @@
 """Point clouds from outside: LAS and PCD, bases, rows of different lengths, corrected parameters."""
 
 import math
+import os
 import struct
 import unittest
+from pathlib import Path
 
 from harness import ToolTest, scattered, wave
 
@@ -176,6 +178,18 @@ class Rows(CloudTest):
         self.assertEqual(report["input"]["points"], plain["input"]["points"])
         self.assertGreaterEqual(report["correction"]["rounds"], 30)
         self.assertLess(report["error"]["rms"], plain["error"]["rms"])
+
+    def test_of_a_face_leave_a_stray_row_out_and_hardly_fold(self):
+        rows = Path(os.environ.get("KNOTFIT_DATA", "")) / "face_rows.txt"
+        if not rows.is_file():
+            self.skipTest("KNOTFIT_DATA has no face_rows.txt")
+        report = self.run_json("fit", rows, "--control-points", "20", "--knots", "uniform", "--between", "off")
+        # Row 31 runs inside the mouth and ends there.
+        self.assertEqual(report["input"]["cloud"]["stray_rows"], [31])
+        self.assertEqual(report["input"]["cloud"]["lone"], 293)
+        self.assertLess(report["error"]["rms"], 1.1e-3 * 0.20601)  # of the diagonal
+        self.assertLess(report["correction"]["folds"]["blurred"], 2e-3)
+        self.assertEqual(report["correction"]["folds"]["flipped_triangles"], 0)
 
 
 if __name__ == "__main__":
