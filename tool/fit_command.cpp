@@ -274,6 +274,10 @@ int run_fit(const FitArguments& arguments) {
   // A map of a mesh took its share of the time.
   if (input.mesh) control = time_left(control, start);
   const int rounds = correction_rounds(choices, input);
+  if (rounds == 0 && *choices.fairness != 1)
+    throw InvalidInput(
+        fmt::format("--fairness {} acts in a correction of parameters, and there is none: see --correct",
+                    *choices.fairness));
   FitResult result;
   MeshFit corrected;
   try {

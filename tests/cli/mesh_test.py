@@ -213,6 +213,8 @@ class Fit(MeshTest):
         self.run_tool("convert", "s.json", "-o", "b.png", "--reflections")
         self.assertNotEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
         self.refused("fit", MASK, *size, "--fairness", "-1", words=["--fairness", "-1"])
+        self.refused("fit", MASK, "--control-points", "8", "--correct", "off", "--fairness", "2",
+                     words=["--fairness 2", "--correct"])
 
     def test_a_correction_is_judged_by_the_distance(self):
         size = ("--control-points", "14", "--knots", "uniform", "--tol", "0.5%")
