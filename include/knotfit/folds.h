@@ -31,6 +31,12 @@ struct FoldReport {
   std::vector<FoldPlace> places;  ///< blurred folds, the largest first
 };
 
+/// Folded shares up to which a surface holds [METHOD 7, "Fold measure"].
+inline constexpr double kMostBlurredFold = 1e-3, kMostRawFold = 5e-3;
+inline bool folds_over(const FoldReport& folds) {
+  return folds.blurred > kMostBlurredFold || folds.raw > kMostRawFold;
+}
+
 /// \param uv  n x 2, parameters of the vertices
 /// \throws InvalidInput  an empty surface, or one not in R^3; uv that is not 2 numbers a vertex or not finite;
 ///   a mesh whose triangles cover no sample

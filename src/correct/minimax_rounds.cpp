@@ -60,7 +60,7 @@ bool minimax_rounds(
       const Surface trial = between(surface, *solved, share);
       Verdict of_trial = batch.judge(CellPolynomials(trial));
       after = phi_of(shares(batch, of_trial, scale, capped), power);
-      if (!(after < before) || of_trial.folded > std::max(1e-3, 1.2 * verdict.folded)) continue;
+      if (!(after < before) || of_trial.folded > std::max(kMostBlurredFold, 1.2 * verdict.folded)) continue;
       surface = trial;
       verdict = std::move(of_trial);
       break;

@@ -39,7 +39,8 @@ Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector&
     result.folded = verdict.folded;
   };
   const auto enough = [&] {
-    return options.keep_by.value > 0 && result.error <= options.keep_by.value && result.folded <= 1e-3;
+    return options.keep_by.value > 0 && result.error <= options.keep_by.value &&
+           result.folded <= kMostBlurredFold;
   };
   for (int done = 0; done == 0 || done < options.rounds; done += kBatch) {
     const int rounds = std::min(options.rounds - done, kBatch);

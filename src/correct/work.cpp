@@ -168,16 +168,19 @@ CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, cons
                   : rounds.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
                                                             : CorrectionStatus::corrected;
   result.surface = frame_.outside(*rounds.surface);
-  const auto take = [&](std::vector<double> uv) {  // the first, and another where it folds no more
+  // The first, and another with fewer triangles turned over that folds no more or not over.
+  const auto take = [&](std::vector<double> uv) {
     FoldReport folds = measure_folds(result.surface, mesh_, uv);
-    if (!result.uv.empty() && !(folds.blurred <= result.folds.blurred)) return;
+    if (!result.uv.empty() && (folds.flipped >= result.folds.flipped ||
+                               (folds_over(folds) && folds.blurred > result.folds.blurred)))
+      return;
     result.uv = std::move(uv);
     result.folds = std::move(folds);
   };
   if (from_first_fit && rounds.best == 0) {
     take(first_);
   } else {
-    // From the rounds' own parameters, where hardly a triangle is turned over; from the map where that folds less.
+    // From the rounds' own parameters, where hardly a triangle is turned over; from the map where some are.
     const std::vector<Vec3> position = frame_.inside(mesh_);
     const auto ended_at = [&](std::vector<double> from) {
       return final_parameters(mesh_.faces, position, sliding_, std::move(from), rounds.uv, *rounds.surface);

@@ -236,10 +236,6 @@ MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOption
   return found;
 }
 
-bool folds_over(const FoldReport& folds) {
-  return folds.blurred > kMostBlurredFold || folds.raw > kMostRawFold;
-}
-
 MeshSearch search_mesh_sizes(const correction::CorrectionWork& work, const FitOptions& options,
                              const Tolerance& tolerance, const Control& control) {
   return MeshSizes(work, options, tolerance, control).run();

@@ -7,10 +7,6 @@
 #include "knotfit/fit_surface.h"
 namespace knotfit {
 
-/// What a surface may fold: shares of the square [METHOD 7].
-inline constexpr double kMostBlurredFold = 1e-3, kMostRawFold = 5e-3;
-bool folds_over(const FoldReport& folds);
-
 struct MeshSearch {
   Status status = Status::not_run;
   CorrectionResult correction;  ///< of the best: the fewest control points that hold, else the least error
