@@ -185,6 +185,7 @@ void CompareFolder::draw(const FitInput& input) const {
         {static_cast<double>(row.result.surface.control_point_count()), row.result.error.rms});
   }
   std::vector<ErrorSeries> series;
+  series.reserve(order.size());
   for (const std::string& method : order) series.push_back(by_method[method]);
   for (const char* extension : {".svg", ".png"}) {
     if (!series.empty())

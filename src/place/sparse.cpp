@@ -135,6 +135,7 @@ std::vector<double> sparse_knots(const RowGrid& grid, bool along_v, int degree, 
                    [](const Active& a, const Active& b) { return a.jump > b.jump; });
   groups.resize(std::min<std::size_t>(groups.size(), count));
   std::vector<double> result;
+  result.reserve(groups.size());
   for (const Active& g : groups) result.push_back(g.place);
   return result;
 }
