@@ -67,6 +67,8 @@ MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const C
   CloudOptions options;
   options.base = base.kind;
   options.map = map_options(choices);
+  for (std::size_t k = 0; k < table.nx.size(); ++k)
+    options.normals.insert(options.normals.end(), {table.nx[k], table.ny[k], table.nz[k]});
   return mapped(parameterize_cloud(xyz, options, control), table.line);
 }
 

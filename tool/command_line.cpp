@@ -82,8 +82,9 @@ void add_input_options(CLI::App& app, InputOptions& input) {
       "Format of the input, by name (knotfit formats lists them); default: "
       "by extension, then content",
       group, [&](const std::string& t) { input.format = t; });
-  add(app, "--columns", "x,y,z,u,v,w", "What the columns of a text file or array are, in order; - skips one",
-      group, [&](const std::string& t) { input.columns = parse_columns(t); });
+  add(app, "--columns", "x,y,z,u,v,w",
+      "What the columns of a text file or array are, in order; nx, ny, nz are normals, - skips one", group,
+      [&](const std::string& t) { input.columns = parse_columns(t); });
   add(app, "--nodata", "V", "Value that stands for a hole in a raster or an array", group,
       [&](const std::string& t) { input.nodata = parse_number(t); });
   add(app, "--classes", "N,M,...", "Only LAS points of these classes, such as 2 for ground; default: all",

@@ -72,6 +72,9 @@ Table points_table(const SourceData& data) {
   add("u", points.u);
   add("v", points.v);
   add("w", points.weight);
+  add("nx", points.nx);
+  add("ny", points.ny);
+  add("nz", points.nz);
   return table;
 }
 

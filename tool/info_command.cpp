@@ -65,8 +65,8 @@ DataFacts facts_of(const PointTable& table) {
   else
     facts.read_as = "a cloud over a base (--base); with --height-field z over x, y";
   const std::pair<const char*, const std::vector<double>*> columns[] = {
-      {"x", &table.x}, {"y", &table.y}, {"z", &table.z},
-      {"u", &table.u}, {"v", &table.v}, {"w", &table.weight}};
+      {"x", &table.x},      {"y", &table.y},   {"z", &table.z},   {"u", &table.u},  {"v", &table.v},
+      {"w", &table.weight}, {"nx", &table.nx}, {"ny", &table.ny}, {"nz", &table.nz}};
   for (const auto& [name, column] : columns)
     if (!column->empty()) facts.ranges.push_back(range_of(name, *column));
   return facts;

@@ -165,6 +165,7 @@ std::string cloud_to_json(const CloudMap& cloud) {
             {"coincident", cloud.coincident},
             {"lone", cloud.lone},
             {"stray_rows", stray_rows},
+            {"normals", cloud.normals},
             {"folded", cloud.folded},
             {"covered", cloud.covered},
             {"mapped", cloud.mapped}};

@@ -30,6 +30,9 @@ struct CloudOptions {
   MeshMapOptions map = {};      ///< of the graph's mesh
   double most_folded = 0.01;    ///< share of the points, above which `automatic` leaves the plane
   double least_covered = 0.97;  ///< share of the square, below which it maps the outline
+  /// Of the points, n x 3, of any length; 0, 0, 0: unknown; empty: none. They take the place of estimated ones, and the
+  /// surface's normal (S_u x S_v) points to the side that most of them do.
+  std::vector<double> normals = {};
 };
 
 struct CloudMap {
@@ -48,11 +51,12 @@ struct CloudMap {
   bool mapped = false;            ///< the outline was laid along the square by map_outline()
   std::array<double, 3> centre{}, axis{};  ///< of the plane (its normal) or the cylinder
   double radius = 0;                       ///< of the cylinder
+  Index normals = 0;                       ///< points whose normals were given
   double scatter = 0;                      ///< RMS distance of the points from the plane or cylinder
 };
 
 /// \param points  n x 3, row-major
-/// \throws InvalidInput  fewer than 4 points, one not finite, all on one line; a cloud that the base cannot carry:
+/// \throws InvalidInput  fewer than 4 points, one not finite, all on one line; normals of another number or not finite; a cloud that the base cannot carry:
 ///   the message says why and what to do
 CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& options = {},
                             const Control& control = {});

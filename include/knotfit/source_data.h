@@ -24,10 +24,11 @@ struct Raster {
 
 /// Points with what columns the source had. Every present column has n entries.
 struct PointTable {
-  std::vector<double> x, y, z;  ///< z always present; x, y together or not at all
-  std::vector<double> u, v;     ///< both or neither, as given (not yet checked or mapped)
-  std::vector<double> weight;   ///< or empty
-  std::vector<Index> line;      ///< line of each point in its file, from 1; empty: index
+  std::vector<double> x, y, z;     ///< z always present; x, y together or not at all
+  std::vector<double> u, v;        ///< both or neither, as given (not yet checked or mapped)
+  std::vector<double> weight;      ///< or empty
+  std::vector<double> nx, ny, nz;  ///< normals of a scan, of any length; all three or none; 0, 0, 0: unknown
+  std::vector<Index> line;         ///< line of each point in its file, from 1; empty: index
   Index size() const { return static_cast<Index>(z.size()); }
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "formats/number.h"
 #include "formats/text_lines.h"
@@ -10,7 +11,7 @@
 namespace knotfit {
 namespace {
 
-constexpr std::array<std::string_view, kRoles> kNames = {"x", "y", "z", "u", "v", "w"};
+constexpr std::array<std::string_view, kRoles> kNames = {"x", "y", "z", "u", "v", "w", "nx", "ny", "nz"};
 
 Index count(std::span<const Role> roles, Role role) {
   return std::count(roles.begin(), roles.end(), role);
@@ -30,6 +31,9 @@ Role role_of(std::string_view name) {
   if (lower == "s") return Role::u;
   if (lower == "t") return Role::v;
   if (lower == "weight") return Role::w;
+  if (lower == "normal_x") return Role::nx;
+  if (lower == "normal_y") return Role::ny;
+  if (lower == "normal_z") return Role::nz;
   return Role::skip;
 }
 
@@ -38,8 +42,9 @@ std::vector<Role> roles_of_option(std::span<const std::string> names, bool place
   for (const std::string& name : names) {
     const Role role = role_of(name);
     if (role == Role::skip && trimmed(name) != "-")
-      throw InvalidInput(fmt::format("unknown column {}: columns are x, y, z, u, v, w, and - for one to skip",
-                                     in_quotes(name)));
+      throw InvalidInput(
+          fmt::format("unknown column {}: columns are x, y, z, u, v, w, nx, ny, nz, and - for one to skip",
+                      in_quotes(name)));
     roles.push_back(role);
   }
   if (const std::string why = objection(roles, places); !why.empty())
@@ -77,9 +82,20 @@ bool only_xyz(std::span<const Role> roles) {
 }
 
 std::vector<double>* column_of(PointTable& table, Role role) {
-  const std::array<std::vector<double>*, kRoles> columns = {&table.x, &table.y, &table.z,
-                                                            &table.u, &table.v, &table.weight};
+  const std::array<std::vector<double>*, kRoles> columns = {
+      &table.x, &table.y, &table.z, &table.u, &table.v, &table.weight, &table.nx, &table.ny, &table.nz};
   return role == Role::skip ? nullptr : columns[static_cast<std::size_t>(role)];
+}
+
+void clear_unknown_normal(double* value) {
+  double* normal = value + static_cast<int>(Role::nx);
+  if (!std::isfinite(normal[0]) || !std::isfinite(normal[1]) || !std::isfinite(normal[2]))
+    std::fill_n(normal, 3, 0.0);
+}
+
+void drop_partial_normals(PointTable& table) {
+  if (table.nx.empty() || table.ny.empty() || table.nz.empty())
+    table.nx.clear(), table.ny.clear(), table.nz.clear();
 }
 
 }  // namespace knotfit

@@ -10,15 +10,15 @@
 #include "knotfit/source_data.h"
 namespace knotfit {
 
-/// x y z u v w, or none of them.
-enum class Role : int { x, y, z, u, v, w, skip };
-inline constexpr int kRoles = 6;
+/// x y z u v w nx ny nz, or none of them.
+enum class Role : int { x, y, z, u, v, w, nx, ny, nz, skip };
+inline constexpr int kRoles = 9;
 
 /// "x", "y", ... for messages.
 std::string_view role_name(Role role);
 
 /// The role of a name: letter case, quotes' blanks and a unit in brackets do not count; s and t
-/// are u and v, "weight" is w. \return skip where the name is unknown
+/// are u and v, "weight" is w, "normal_x" nx. \return skip where the name is unknown
 Role role_of(std::string_view name);
 
 /// Roles of the columns a user named.
@@ -39,5 +39,10 @@ bool only_xyz(std::span<const Role> roles);
 
 /// The column of a table that takes a role; skip gives nullptr.
 std::vector<double>* column_of(PointTable& table, Role role);
+
+/// Of the values of a point, by role: a normal that is not finite is unknown, (0, 0, 0).
+void clear_unknown_normal(double* value);
+/// Normals that lack a column are none.
+void drop_partial_normals(PointTable& table);
 
 }  // namespace knotfit

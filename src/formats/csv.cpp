@@ -14,13 +14,14 @@ void drop_holes(PointTable& table) {
   const std::size_t n = table.z.size();
   for (std::size_t k = 0; k < n; ++k) {
     if (std::isnan(table.z[k])) continue;
-    for (std::vector<double>* column : {&table.x, &table.y, &table.u, &table.v, &table.weight})
-      if (!column->empty()) (*column)[kept] = (*column)[k];
-    table.line[kept] = table.line[k];
-    table.z[kept++] = table.z[k];
+    for (int r = 0; r < kRoles; ++r)
+      if (std::vector<double>& column = *column_of(table, static_cast<Role>(r)); !column.empty())
+        column[kept] = column[k];
+    table.line[kept++] = table.line[k];
   }
-  for (std::vector<double>* column : {&table.x, &table.y, &table.z, &table.u, &table.v, &table.weight})
-    if (!column->empty()) column->resize(kept);
+  for (int r = 0; r < kRoles; ++r)
+    if (std::vector<double>& column = *column_of(table, static_cast<Role>(r)); !column.empty())
+      column.resize(kept);
   table.line.resize(kept);
 }
 

@@ -71,10 +71,14 @@ PointTable read_points(const FileBytes& file, const NpyHeader& header, std::span
       holes = true;
       continue;
     }
+    double values[kRoles + 1] = {};
+    for (Index j = 0; j < columns; ++j)
+      values[static_cast<int>(roles[static_cast<std::size_t>(j)])] = item(i, j);
+    clear_unknown_normal(values);
     for (Index j = 0; j < columns; ++j) {
       const Role role = roles[static_cast<std::size_t>(j)];
       if (role == Role::skip) continue;
-      const double value = item(i, j);
+      const double value = values[static_cast<int>(role)];
       if (!std::isfinite(value))
         throw FileError(file.path(), fmt::format("row {} (from 1), column {} ({}): {} is not a finite number",
                                                  i + 1, j + 1, role_name(role), value));
@@ -85,6 +89,7 @@ PointTable read_points(const FileBytes& file, const NpyHeader& header, std::span
   const std::size_t size = std::max(table.x.size(), table.u.size());
   if (std::find(roles.begin(), roles.end(), Role::z) == roles.end()) table.z.assign(size, kNan);
   if (table.z.empty()) throw FileError(file.path(), "every point is NaN or has the nodata value");
+  drop_partial_normals(table);
   table.line = std::move(kept);
   return table;
 }

@@ -19,21 +19,31 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// x, y, z and, where both are there, u and v.
+constexpr Role kTaken[] = {Role::x, Role::y, Role::z, Role::u, Role::v, Role::nx, Role::ny, Role::nz};
+
+/// x, y, z and, where all of them are there, u and v, and the normals.
 struct Fields {
-  std::array<Index, 5> at{-1, -1, -1, -1, -1};
-  std::size_t used = 3;
+  std::array<Index, kRoles> at;
+  std::vector<Role> used;
 };
 
 Fields find_fields(const FileBytes& file, const PcdHeader& header) {
   Fields fields;
-  constexpr std::string_view names[] = {"x", "y", "z", "u", "v"};
-  for (std::size_t k = 0; k < 5; ++k)
-    for (std::size_t f = 0; f < header.fields.size() && fields.at[k] < 0; ++f)
-      if (header.fields[f].name == names[k]) fields.at[k] = static_cast<Index>(f);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (fields.at[k] < 0) throw FileError(file.path(), fmt::format("the points have no field {}", names[k]));
-  if (fields.at[3] >= 0 && fields.at[4] >= 0) fields.used = 5;
+  fields.at.fill(-1);
+  for (std::size_t f = header.fields.size(); f-- > 0;) {
+    const std::string& name = header.fields[f].name;
+    for (const Role role : kTaken)
+      if (name == role_name(role) ||
+          (role >= Role::nx && name == fmt::format("normal_{}", role_name(role).substr(1))))
+        fields.at[static_cast<std::size_t>(role)] = static_cast<Index>(f);
+  }
+  const auto has = [&](Role role) { return fields.at[static_cast<std::size_t>(role)] >= 0; };
+  for (const Role role : {Role::x, Role::y, Role::z})
+    if (!has(role)) throw FileError(file.path(), fmt::format("the points have no field {}", role_name(role)));
+  const bool parameters = has(Role::u) && has(Role::v),
+             normals = has(Role::nx) && has(Role::ny) && has(Role::nz);
+  for (const Role role : kTaken)
+    if (role <= Role::z || (role <= Role::v ? parameters : normals)) fields.used.push_back(role);
   return fields;
 }
 
@@ -42,41 +52,41 @@ class Points {
   Points(const FileBytes& file, const PcdHeader& header, const ReadOptions& options)
       : file_(file), header_(header), fields_(find_fields(file, header)), options_(options) {
     grid_ = header.height > 1;
-    for (std::size_t k = 0; k < fields_.used; ++k)
-      columns_[k].reserve(static_cast<std::size_t>(header.points));
+    for (const Role role : fields_.used)
+      column_of(table_, role)->reserve(static_cast<std::size_t>(header.points));
   }
 
-  void take(const double* value, Index point, Index line) {
+  /// \param value  by role
+  void take(double* value, Index point, Index line) {
+    clear_unknown_normal(value);
     bool hole = options_.nodata && is_nodata(value[2], *options_.nodata);
     for (int c = 0; c < 3; ++c) hole = hole || std::isnan(value[c]);
-    for (std::size_t c = 0; c < fields_.used && !hole; ++c)
-      if (!std::isfinite(value[c])) {
-        const std::string message = fmt::format("point {} (from 1): {} is not finite", point + 1, "xyzuv"[c]);
+    for (const Role role : fields_.used)
+      if (!hole && !std::isfinite(value[static_cast<int>(role)])) {
+        const std::string message =
+            fmt::format("point {} (from 1): {} is not finite", point + 1, role_name(role));
         if (line > 0) throw FileError(file_.path(), static_cast<long long>(line), message);
         throw FileError(file_.path(), message);
       }
     holes_ += hole;
     if (hole && !grid_) return;
-    for (std::size_t c = 0; c < fields_.used; ++c) columns_[c].push_back(hole ? kNan : value[c]);
+    for (const Role role : fields_.used)
+      column_of(table_, role)->push_back(hole ? kNan : value[static_cast<int>(role)]);
     lines_.push_back(line > 0 ? line : point + 1);
   }
 
   SourceData finish() {
     if (holes_ == header_.points) throw FileError(file_.path(), "every point is NaN or has the nodata value");
     if (!grid_) {
-      PointTable table;
-      std::vector<double>* to[] = {&table.x, &table.y, &table.z, &table.u, &table.v};
-      for (std::size_t c = 0; c < fields_.used; ++c) *to[c] = std::move(columns_[c]);
-      if (holes_ > 0 || header_.encoding == PcdEncoding::ascii) table.line = std::move(lines_);
-      SourceData data{file_.path(), "pcd", std::move(table)};
+      if (holes_ > 0 || header_.encoding == PcdEncoding::ascii) table_.line = std::move(lines_);
+      SourceData data{file_.path(), "pcd", std::move(table_)};
       if (holes_ > 0) data.notes.push_back(fmt::format("{} points without coordinates are left out", holes_));
       return data;
     }
     PointRows rows;
     rows.xyz.reserve(static_cast<std::size_t>(3 * header_.points));
     for (Index k = 0; k < header_.points; ++k)
-      for (int c = 0; c < 3; ++c)
-        rows.xyz.push_back(columns_[static_cast<std::size_t>(c)][static_cast<std::size_t>(k)]);
+      rows.xyz.insert(rows.xyz.end(), {table_.x[k], table_.y[k], table_.z[k]});
     for (Index r = 0; r <= header_.height; ++r) rows.row_start.push_back(r * header_.width);
     return {file_.path(), "pcd", std::move(rows)};
   }
@@ -90,7 +100,7 @@ class Points {
   const ReadOptions& options_;
   bool grid_ = false;
   Index holes_ = 0;
-  std::vector<double> columns_[5];
+  PointTable table_;
   std::vector<Index> lines_;
 };
 
@@ -124,14 +134,15 @@ void read_text(const FileBytes& file, const PcdHeader& header, const ReadOptions
     if (static_cast<Index>(words.size()) != numbers)
       throw FileError(file.path(), number,
                       fmt::format("{} numbers, but the header's fields have {}", words.size(), numbers));
-    double value[5] = {};
-    for (std::size_t c = 0; c < points.fields().used; ++c) {
+    double value[kRoles] = {};
+    for (const Role role : points.fields().used) {
+      const auto c = static_cast<std::size_t>(role);
       const std::string_view word =
           words[static_cast<std::size_t>(first[static_cast<std::size_t>(points.fields().at[c])])];
       const ParsedNumber parsed = parse_number(word);
       if (parsed.status != NumberStatus::ok)
         throw FileError(file.path(), number,
-                        fmt::format("{}: {} is not a number", "xyzuv"[c], in_quotes(word)));
+                        fmt::format("{}: {} is not a number", role_name(role), in_quotes(word)));
       value[c] = parsed.value;
     }
     points.take(value, point++, number);
@@ -146,15 +157,15 @@ void read_text(const FileBytes& file, const PcdHeader& header, const ReadOptions
 /// Numbers of point after point: beside each other, or field by field (compressed).
 void read_numbers(std::string_view bytes, const PcdHeader& header, bool padding, Points& points) {
   const Fields& fields = points.fields();
-  const char* start[5] = {};
-  Index step[5] = {};
-  LoadNumber load[5] = {};
+  const char* start[kRoles] = {};
+  Index step[kRoles] = {};
+  LoadNumber load[kRoles] = {};
   const bool apart = header.encoding == PcdEncoding::compressed;
   Index at = 0;
   for (std::size_t f = 0; f < header.fields.size(); ++f) {
     const PcdField& field = header.fields[f];
-    for (std::size_t c = 0; c < fields.used; ++c)
-      if (fields.at[c] == static_cast<Index>(f)) {
+    for (const Role role : fields.used)
+      if (const auto c = static_cast<std::size_t>(role); fields.at[c] == static_cast<Index>(f)) {
         start[c] = bytes.data() + at;
         step[c] = apart ? field.bytes() : header.point_bytes();
         load[c] = number_loader(field.type, false);
@@ -165,8 +176,11 @@ void read_numbers(std::string_view bytes, const PcdHeader& header, bool padding,
       at += field.bytes() * header.points;
   }
   for (Index k = 0; k < header.points; ++k) {
-    double value[5] = {};
-    for (std::size_t c = 0; c < fields.used; ++c) value[c] = load[c](start[c] + k * step[c]);
+    double value[kRoles] = {};
+    for (const Role role : fields.used) {
+      const auto c = static_cast<std::size_t>(role);
+      value[c] = load[c](start[c] + k * step[c]);
+    }
     points.take(value, k, 0);
   }
 }

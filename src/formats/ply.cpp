@@ -19,7 +19,7 @@ Role ply_role(const PlyProperty& p) {
   if (name == "texture_u") return Role::u;
   if (name == "texture_v") return Role::v;
   // role_of also takes units and quotes away, which property names do not have.
-  for (const char* known : {"x", "y", "z", "u", "v", "s", "t", "w", "weight"})
+  for (const char* known : {"x", "y", "z", "u", "v", "s", "t", "w", "weight", "nx", "ny", "nz"})
     if (name == known) return role_of(name);
   return Role::skip;
 }
@@ -115,10 +115,12 @@ class PlyReader {
     }
     // s without t, or points with a weight alone, are no parameters.
     if (!parameters_) points_.u.clear(), points_.v.clear();
+    drop_partial_normals(points_);
   }
 
-  void take_vertex(const double* value, Index row) {
+  void take_vertex(double* value, Index row) {
     const Index line = rows_->line();
+    clear_unknown_normal(value);
     for (const Role role : roles_)
       if (role != Role::skip && !std::isfinite(value[static_cast<int>(role)]))
         builder_.fail(line,

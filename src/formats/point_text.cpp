@@ -249,6 +249,7 @@ PointText parse_point_text(const FileBytes& file, const ReadOptions& options) {
     }
     if (is_comment(line.text)) continue;
     if (!parse_line(line.text, out.roles, out.separator, row.value)) refuse_line(file, opening, line);
+    clear_unknown_normal(row.value);
     bool finite = true;
     for (const Role role : used) finite = finite && std::isfinite(row[role]);
     if (has_z && options.nodata && is_nodata(row[Role::z], *options.nodata)) {
@@ -266,6 +267,7 @@ PointText parse_point_text(const FileBytes& file, const ReadOptions& options) {
     for (const Role role : used) column_of(out.table, role)->push_back(row[role]);
     out.table.line.push_back(line.number);
   } while (lines.next(line));
+  drop_partial_normals(out.table);
   if (!has_z) out.table.z.assign(out.table.line.size(), kNan);
   return out;
 }

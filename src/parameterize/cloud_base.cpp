@@ -197,4 +197,18 @@ BasePlaces project_to_cylinder(std::span<const double> points, const std::vector
   return places;
 }
 
+void turn_to_normals(BasePlaces& places, std::span<const double> points, std::span<const double> given) {
+  const Vector3d axis = vector_of(places.axis), centre = vector_of(places.centre);
+  const bool cylinder = places.radius > 0;
+  Index sides = 0;
+  for (Index k = 0; k < static_cast<Index>(given.size()) / 3; ++k) {
+    const Vector3d off = at(points, k) - centre;
+    const double side = at(given, k).dot(cylinder ? Vector3d(off - off.dot(axis) * axis) : axis);
+    sides += (side > 0) - (side < 0);
+  }
+  if (sides >= 0) return;
+  if (!cylinder) places.axis = array_of(-axis);
+  for (std::size_t k = cylinder ? 1 : 0; k < places.at.size(); k += 2) places.at[k] = -places.at[k];
+}
+
 }  // namespace knotfit::cloud

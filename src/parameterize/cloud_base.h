@@ -22,4 +22,8 @@ BasePlaces project_to_plane(std::span<const double> points);
 /// \throws InvalidInput  the points lie on no cylinder: its radius would be many times their size
 BasePlaces project_to_cylinder(std::span<const double> points, const std::vector<Vector>& normals);
 
+/// Mirrors the places where most of the normals given point below the plane, or into the cylinder.
+/// \param given  n x 3, 0: unknown; or empty
+void turn_to_normals(BasePlaces& places, std::span<const double> points, std::span<const double> given);
+
 }  // namespace knotfit::cloud

@@ -136,4 +136,24 @@ std::vector<Vector> agreeing_normals(std::span<const double> points, const Neigh
   return normal;
 }
 
+std::vector<Vector> agreeing_normals(std::span<const double> points, const NeighbourLists& neighbours,
+                                     std::span<const double> given) {
+  std::vector<Vector> normals = agreeing_normals(points, neighbours);
+  if (given.empty()) return normals;
+  const auto given_of = [&](std::size_t k) {
+    return Vector{given[3 * k], given[3 * k + 1], given[3 * k + 2]};
+  };
+  Index sides = 0;
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    const double side = dot(normals[k], given_of(k));
+    sides += (side > 0) - (side < 0);
+  }
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    const Vector n = given_of(k);
+    const double length = std::hypot(n[0], n[1], n[2]), factor = length > 0 ? 1 / length : sides < 0 ? -1 : 1;
+    for (std::size_t c = 0; c < 3; ++c) normals[k][c] = factor * (length > 0 ? n[c] : normals[k][c]);
+  }
+  return normals;
+}
+
 }  // namespace knotfit::cloud

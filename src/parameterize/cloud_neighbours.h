@@ -38,4 +38,9 @@ Axes principal_axes(std::span<const double> points, std::span<const std::uint32_
 /// neighbours whose normals agree most [Hoppe92, Konig09].
 std::vector<Vector> agreeing_normals(std::span<const double> points, const NeighbourLists& neighbours);
 
+/// The same, turned to the side that most of the given normals point to; where one is given it is taken instead.
+/// \param given  n x 3 of any length, 0: unknown; or empty
+std::vector<Vector> agreeing_normals(std::span<const double> points, const NeighbourLists& neighbours,
+                                     std::span<const double> given);
+
 }  // namespace knotfit::cloud

@@ -66,6 +66,23 @@ CloudMap outlined(CloudMap cloud, const MeshMapOptions& options, const Control& 
   return mapped;
 }
 
+Index count_normals(std::span<const double> normals) {
+  Index count = 0;
+  for (std::size_t k = 0; k + 2 < normals.size(); k += 3)
+    count += normals[k] != 0 || normals[k + 1] != 0 || normals[k + 2] != 0;
+  return count;
+}
+
+void check_normals(std::span<const double> normals, Index n) {
+  if (!normals.empty() && static_cast<Index>(normals.size()) != 3 * n)
+    throw InvalidInput(
+        fmt::format("{} numbers of normals for {} points: three each, or none", normals.size(), n));
+  for (std::size_t k = 0; k < normals.size(); ++k)
+    if (!(std::abs(normals[k]) < 1e150))
+      throw InvalidInput(
+          fmt::format("normal {} (from 1): coordinate {} is not finite", k / 3 + 1, normals[k]));
+}
+
 void check_parameters(std::span<const double> points, std::span<const double> uv) {
   const Index n = count_of(points);
   if (static_cast<Index>(uv.size()) != 2 * n)
@@ -84,28 +101,39 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
   const Index n = count_of(points);
   if (options.neighbours < 6 || options.neighbours > 64)
     throw InvalidInput(fmt::format("{} neighbours of a point; there are 6 to 64", options.neighbours));
+  check_normals(options.normals, n);
   const CloudBase base = options.base;
   if (base == CloudBase::given || base == CloudBase::surface)
     throw InvalidInput("a base surface is given to another function, and so are parameters");
   BasePlaces plane;
-  if (base == CloudBase::plane || base == CloudBase::automatic) plane = cloud::project_to_plane(points);
+  if (base == CloudBase::plane || base == CloudBase::automatic) {
+    plane = cloud::project_to_plane(points);
+    cloud::turn_to_normals(plane, points, options.normals);
+  }
   const int count = static_cast<int>(std::min<Index>(options.neighbours, n - 1));
   const NeighbourLists near = cloud::nearest_neighbours(points, 3, count);
-  const std::vector<Vector> normals = cloud::agreeing_normals(points, near);
-  if (base == CloudBase::cylinder)
-    return over(CloudBase::cylinder, cloud::project_to_cylinder(points, normals), points);
+  const std::vector<Vector> normals = cloud::agreeing_normals(points, near, options.normals);
+  const auto counted = [&](CloudMap map) {
+    map.normals = count_normals(options.normals);
+    return map;
+  };
+  if (base == CloudBase::cylinder) {
+    BasePlaces places = cloud::project_to_cylinder(points, normals);
+    cloud::turn_to_normals(places, points, options.normals);
+    return counted(over(CloudBase::cylinder, places, points));
+  }
   const double folded = base == CloudBase::graph ? 0 : folded_share(normals, plane.axis);
   if (base == CloudBase::plane || (base == CloudBase::automatic && folded <= options.most_folded)) {
     CloudMap map = over(CloudBase::plane, plane, points);
     map.folded = folded;
-    return base == CloudBase::automatic && map.covered < options.least_covered
-               ? outlined(std::move(map), options.map, control)
-               : map;
+    return counted(base == CloudBase::automatic && map.covered < options.least_covered
+                       ? outlined(std::move(map), options.map, control)
+                       : map);
   }
   try {
     CloudMap map = cloud::map_graph(points, near, normals, options.map, control);
     map.folded = folded;
-    return map;
+    return counted(std::move(map));
   } catch (const InvalidInput& e) {
     if (base == CloudBase::graph) throw;
     throw InvalidInput(
@@ -177,6 +205,8 @@ std::string describe(const CloudMap& c) {
     text += fmt::format("; {:.2g} % of the points stand upright on the plane or turn back over it",
                         100 * c.folded);
   if (c.mapped && c.base != CloudBase::graph) text += "; the outline laid along the square";
+  if (c.normals > 0)
+    text += fmt::format("; {} of the points have normals, which say where outside is", c.normals);
   if (c.covered < 0.99)
     text += fmt::format("; {:.2g} % of the square holds no data, and the surface is free there",
                         100 * (1 - c.covered));

@@ -49,6 +49,8 @@ void check_table(const PointTable& table) {
   if (!table.x.empty() || !table.y.empty()) check_length(table.x, "x", n), check_length(table.y, "y", n);
   if (!table.u.empty() || !table.v.empty()) check_length(table.u, "u", n), check_length(table.v, "v", n);
   if (!table.weight.empty()) check_length(table.weight, "weight", n);
+  if (!table.nx.empty() || !table.ny.empty() || !table.nz.empty())
+    check_length(table.nx, "nx", n), check_length(table.ny, "ny", n), check_length(table.nz, "nz", n);
   if (!table.line.empty() && static_cast<Index>(table.line.size()) != n)
     throw InvalidInput(fmt::format("{} line numbers for {} points", table.line.size(), n));
   check_finite(table, table.x, "x");

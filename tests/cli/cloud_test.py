@@ -107,6 +107,18 @@ class Bases(CloudTest):
         text = self.run_tool("fit", "cloud.csv", "--control-points", "6").stdout
         self.assertIn("base: plane with the normal", text)
 
+    def test_normals_of_a_scan_give_the_distance_its_sign(self):
+        points = [(2 * u, v, 0.2 * wave(2 * u, 2 * v) + (0.01 if k % 7 == 0 else 0)) for k, (u, v) in enumerate(scattered(700))]
+        signed = {}
+        for up in (1, -1):
+            self.write("scan.csv", "x,y,z,nx,ny,nz\n" + "".join(f"{x},{y},{z},0,0,{up}\n" for x, y, z in points))
+            report = self.run_json("fit", "scan.csv", "--control-points", "6", "-o", "r.csv", "--force")
+            self.assertEqual(report["input"]["cloud"]["normals"], 700)
+            signed[up] = [r["distance"] for r in self.read_csv((self.folder / "r.csv").read_text())]
+        raised = [sum(signed[up][::7]) / 100 for up in (1, -1)]
+        self.assertGreater(raised[0], 5e-3)  # outside is up
+        self.assertLess(raised[1], -5e-3)
+
     def test_a_cloud_that_folds_is_followed_by_its_neighbours(self):
         self.write_xyz("cloud.csv", self.tube(4.0))
         report = self.run_json("fit", "cloud.csv", "--control-points", "10x8")

@@ -54,6 +54,19 @@ TEST(CsvReader, HeaderNamesInAnyOrderCaseAndDress) {
   EXPECT_EQ(table("u,v,z,W\n0.1,0.2,3,2\n").weight, (Doubles{2}));
 }
 
+TEST(CsvReader, NormalsAreAllThereOrNone) {
+  const PointTable t = table("x,y,z,nx,normal_y,NZ\n1,2,3,0,0.6,0.8\n4,5,6,nan,0,1\n");
+  EXPECT_EQ(t.nx, (Doubles{0, 0}));
+  EXPECT_EQ(t.ny, (Doubles{0.6, 0}));
+  EXPECT_EQ(t.nz, (Doubles{0.8, 0})) << "one that is not finite is unknown";
+  EXPECT_TRUE(table("x,y,z,nx,ny\n1,2,3,0,0.6\n").nx.empty());
+  ReadOptions options;
+  options.columns = {"x", "y", "z", "nx", "ny", "nz"};
+  EXPECT_EQ(table("1 2 3 4 5 6\n7 8 9 0 0 1\n", options).nz, (Doubles{6, 1}));
+  options.nodata = 3;
+  EXPECT_EQ(table("1 2 3 4 5 6\n7 8 9 0 0 1\n", options).nz, (Doubles{1}));
+}
+
 TEST(CsvReader, ACommentRightBeforeTheDataMayBeTheHeader) {
   const PointTable t = table("# a file\n# u v z\n0.1 0.2 3\n", {}, "a.txt");
   EXPECT_EQ(t.u, (Doubles{0.1}));

@@ -50,6 +50,24 @@ TEST(Pcd, FieldsOfAnyTypeCountAndOrder) {
   EXPECT_EQ(c.v, t.v);
 }
 
+TEST(Pcd, NormalsWhereAllThreeAreThere) {
+  const auto header = [](const char* names, const char* encoding) {
+    return pcd_header(names, "4 4 4 4 4 4", "F F F F F F", "1 1 1 1 1 1", 2, 1, encoding);
+  };
+  const PointTable t =
+      points(header("x y z normal_x normal_y normal_z", "ascii") + "1 2 3 0 0 1\n4 5 6 nan nan nan");
+  EXPECT_EQ(t.z, (Doubles{3, 6}));
+  EXPECT_EQ(t.nx, (Doubles{0, 0}));
+  EXPECT_EQ(t.nz, (Doubles{1, 0}));
+  const PointTable b =
+      points(header("nz x y z nx ny", "binary") + items<float>({8, 1, 2, 3, 6, 7, 0, 4, 5, 6, 0, 0}));
+  EXPECT_EQ(b.x, (Doubles{1, 4}));
+  EXPECT_EQ(b.nx, (Doubles{6, 0}));
+  EXPECT_EQ(b.nz, (Doubles{8, 0}));
+  EXPECT_TRUE(
+      points(header("x y z normal_x normal_y curvature", "ascii") + "1 2 3 0 0 1\n4 5 6 0 0 1").nx.empty());
+}
+
 TEST(Pcd, PaddingIsNotInCompressedData) {
   const std::string header =
       pcd_header("x y z _", "4 4 4 1", "F F F U", "1 1 1 4", 1, 1, "binary_compressed");

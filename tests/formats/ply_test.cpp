@@ -98,6 +98,17 @@ TEST(PlyReader, PointsWithoutFaces) {
   EXPECT_EQ(t.line, (std::vector<Index>{13, 14}));
 }
 
+TEST(PlyReader, NormalsOfPoints) {
+  const PointTable t = content<PointTable>(
+      read("a.ply",
+           ascii("element vertex 2\nproperty float nx\nproperty float x\nproperty float y\nproperty float z\n"
+                 "property float ny\nproperty float nz\n",
+                 "0 1 2 3 0.6 0.8\nnan 4 5 6 nan nan\n")));
+  EXPECT_EQ(t.x, (std::vector<double>{1, 4}));
+  EXPECT_EQ(t.ny, (std::vector<double>{0.6, 0}));
+  EXPECT_EQ(t.nz, (std::vector<double>{0.8, 0}));
+}
+
 TEST(PlyReader, ParametersOfCornersWhereTheyAgree) {
   const std::string header = kVertex + kFace + "property list uchar float texcoord\n";
   const Mesh m = mesh(ascii(header, kSquare + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0 1\n"));

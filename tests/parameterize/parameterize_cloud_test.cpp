@@ -172,6 +172,52 @@ TEST(CloudGraph, SaysWhyThereIsNoSheet) {
   EXPECT_EQ(parameterize_cloud(fog, {.base = CloudBase::plane}).base, CloudBase::plane);
 }
 
+/// Of the mesh's triangles, (b - a) x (c - a), by the normal of a point of each: how many on its side less how many not.
+Index side(const CloudMap& c, const Points& normals) {
+  Index sum = 0;
+  for (const auto& f : c.mesh.faces) {
+    const double *a = c.mesh.vertex(f[0]), *b = c.mesh.vertex(f[1]), *d = c.mesh.vertex(f[2]);
+    const Index point = c.mesh.vertex_line[f[0]] - 1;
+    if (point < 0) continue;
+    double dot = 0;
+    for (int x = 0; x < 3; ++x) {
+      const int y = (x + 1) % 3, z = (x + 2) % 3;
+      dot += normals[3 * point + x] * ((b[y] - a[y]) * (d[z] - a[z]) - (b[z] - a[z]) * (d[y] - a[y]));
+    }
+    sum += (dot > 0) - (dot < 0);
+  }
+  return sum;
+}
+
+TEST(CloudNormals, SayWhereOutsideIsOnEveryBase) {
+  Random random;
+  const Points flat = wave(random, 1500, 2, 0), round = tube(random, 3000, 1, 4.5);
+  for (const double sign : {1.0, -1.0})
+    for (const CloudBase base : {CloudBase::plane, CloudBase::cylinder, CloudBase::graph}) {
+      const Points& p = base == CloudBase::plane ? flat : round;
+      CloudOptions options{.base = base, .map = {.newton = false}};
+      for (std::size_t k = 0; k < p.size(); k += 3) {
+        // Up, or off the axis of the tube; one in ten is not known.
+        const double x = p[k] - 100, along = 0.6 * x + 0.8 * p[k + 2];
+        const double n[3] = {x - 0.6 * along, p[k + 1] + 50, p[k + 2] - 0.8 * along};
+        for (int c = 0; c < 3; ++c)
+          options.normals.push_back(k % 30 == 0                ? 0
+                                    : base == CloudBase::plane ? sign * (c == 2)
+                                                               : 3 * sign * n[c]);
+      }
+      const CloudMap c = parameterize_cloud(p, options);
+      expect_sound(c);
+      EXPECT_EQ(c.normals, static_cast<Index>(p.size()) / 3 - (static_cast<Index>(p.size()) + 29) / 30);
+      EXPECT_GT(side(c, options.normals), 8 * c.mesh.face_count() / 10)
+          << sign << " " << static_cast<int>(base);
+      EXPECT_NE(describe(c).find("have normals"), std::string::npos);
+    }
+  expect_throw<InvalidInput>([&] { parameterize_cloud(flat, {.normals = {1, 2, 3}}); }, "three each");
+  CloudOptions infinite;
+  infinite.normals.assign(flat.size(), INFINITY);
+  expect_throw<InvalidInput>([&] { parameterize_cloud(flat, infinite); }, "normal 1 (from 1)");
+}
+
 TEST(TriangulatedParameters, StayWhereTheyAre) {
   Random random;
   Points p, uv;
