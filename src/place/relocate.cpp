@@ -13,13 +13,25 @@ std::vector<double>& line(InteriorKnots& knots, bool along_v) {
   return along_v ? knots.v : knots.u;
 }
 
-/// Inserts a knot at the middle of the span of greatest gain of the present fit.
-void insert_at_gain(FitProblem& problem, InteriorKnots& knots, bool along_v) {
+/// Middles of the spans where the gain of a knot peaks in the present fit, the greatest first, at most so many.
+std::vector<double> gain_peaks(FitProblem& problem, bool along_v, std::size_t most) {
   const std::vector<double> gain = knot_gains(problem, along_v);
-  const auto span = std::max_element(gain.begin(), gain.end()) - gain.begin();
+  std::vector<Index> spans;
+  const auto n = static_cast<Index>(gain.size());
+  for (Index i = 0; i < n; ++i)
+    if ((i == 0 || gain[i] > gain[i - 1]) && (i + 1 == n || gain[i] >= gain[i + 1])) spans.push_back(i);
+  std::stable_sort(spans.begin(), spans.end(), [&](Index a, Index b) { return gain[a] > gain[b]; });
+  spans.resize(std::min(spans.size(), most));
   const Axis& axis = along_v ? problem.axis_v() : problem.axis_u();
+  std::vector<double> middles;
+  middles.reserve(spans.size());
+  for (const Index i : spans) middles.push_back(axis.low(i) + axis.length(i) / 2);
+  return middles;
+}
+
+void insert(InteriorKnots& knots, bool along_v, double at) {
   auto& k = line(knots, along_v);
-  k.insert(k.begin() + span, axis.low(span) + axis.length(span) / 2);
+  k.insert(std::lower_bound(k.begin(), k.end(), at), at);
 }
 
 /// What each knot of a direction is worth; all alike where these knots cannot be fitted.
@@ -47,20 +59,25 @@ double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
       std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return loss[a] < loss[b]; });
       order.resize(std::min<std::size_t>(order.size(), options.candidates));
       for (std::size_t c : order) {
-        InteriorKnots trial = knots;
-        auto& k = line(trial, along_v);
+        InteriorKnots fewer = knots;
+        auto& k = line(fewer, along_v);
         k.erase(k.begin() + static_cast<Index>(c));
-        minimize_over_knots(problem, trial, with_steps(levenberg, 3));
-        insert_at_gain(problem, trial, along_v);
+        minimize_over_knots(problem, fewer, with_steps(levenberg, 3));
         LevenbergOptions towards = levenberg;
         towards.target = phi * (1 - options.gain);
-        const double after = minimize_over_knots(problem, trial, towards);
-        if (after < phi * (1 - options.gain)) {
+        bool better = false;
+        for (const double at : gain_peaks(problem, along_v, options.peaks)) {
+          InteriorKnots trial = fewer;
+          insert(trial, along_v, at);
+          const double after = minimize_over_knots(problem, trial, towards);
+          better = after < phi * (1 - options.gain);
+          if (!better) continue;
           phi = after;
           knots = trial;
-          moved = true;
           break;
         }
+        moved = moved || better;
+        if (better) break;
       }
     }
     if (!moved) break;
@@ -126,7 +143,7 @@ InteriorKnots adapt_knots(FitProblem& problem, InteriorKnots knots, std::size_t 
     }
     while (line(knots, along_v).size() < wanted) {
       problem.solve(knots);
-      insert_at_gain(problem, knots, along_v);
+      for (const double at : gain_peaks(problem, along_v, 1)) insert(knots, along_v, at);
       minimize_over_knots(problem, knots, few);
     }
   }

@@ -6,10 +6,11 @@ namespace knotfit {
 struct RelocationOptions {
   int passes = 12;     ///< over both directions, at most
   int candidates = 3;  ///< knots of least loss tried in a direction
+  int peaks = 1;       ///< of the gain at which the knot is tried again
   double gain = 1e-3;  ///< relative fall of phi that keeps a move
 };
 
-/// Drops the knot of least loss, inserts one at the greatest gain, optimises, keeps it if phi falls; until
+/// Drops the knot of least loss, inserts one where the gain peaks, optimises, keeps it if phi falls; until
 /// a pass over both directions finds none. The problem holds the fit of the result. \return phi there
 double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
                       const LevenbergOptions& levenberg, const RelocationOptions& options = {});

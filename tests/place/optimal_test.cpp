@@ -8,6 +8,7 @@
 #include "knotfit/evaluate.h"
 #include "knotfit/place.h"
 #include "place/relocate.h"
+#include "place/shares.h"
 #include "support/synthetic.h"
 #include "support/two_threads.h"
 namespace knotfit::test {
@@ -93,6 +94,24 @@ TEST(Optimal, IsNeverWorseThanItsStarts) {
       EXPECT_LE(optimal, rms_of(points, place_knots(method.name, points, options).knots) * (1 + 1e-9))
           << name << " " << method.name;
   }
+}
+
+TEST(Relocation, OneKnotAtMorePeaksOfTheGainLeadsFurther) {
+  int further = 0;
+  for (const std::string& name : synthetic_names())
+    for (const int count : {6, 10}) {
+      FitProblem problem(synthetic_points(name, 3000), 3, 3, for_knots());
+      InteriorKnots knots{uniform_knots(count), uniform_knots(count)};
+      double phi = minimize_over_knots(problem, knots);
+      phi = relocate_knots(problem, knots, phi, {});
+      const double more = relocate_knots(problem, knots, phi, {}, {.candidates = 4, .peaks = 3});
+      EXPECT_LE(more, phi) << name;
+      EXPECT_EQ(problem.knots(), knots);
+      EXPECT_NEAR(problem.phi(), more, 1e-12 * more);
+      EXPECT_EQ(knots.u.size() + knots.v.size(), 2u * count);
+      further += more < (1 - 1e-3) * phi;
+    }
+  EXPECT_GT(further, 0);
 }
 
 /// Data of a spline with these knots: a random net, sampled.
