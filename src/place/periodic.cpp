@@ -80,10 +80,17 @@ double descend(CurveProblem& problem, std::vector<double>& knots, int steps,
   return phi;
 }
 
+/// All but one; the first of them in [0,1), where a problem looks for it.
+std::vector<double> without(std::vector<double> knots, std::size_t dropped) {
+  knots.erase(knots.begin() + static_cast<Index>(dropped));
+  if (knots.front() >= 1)
+    for (double& x : knots) x -= 1;
+  return knots;
+}
+
 /// Drops a knot and puts one into the middle of the span with the largest residuals.
 std::vector<double> relocated(CurveProblem& problem, const std::vector<double>& knots, std::size_t dropped) {
-  std::vector<double> rest = knots;
-  rest.erase(rest.begin() + static_cast<Index>(dropped));
+  std::vector<double> rest = without(knots, dropped);
   if (!problem.solve(rest)) return knots;
   const CurvePoints& points = problem.points();
   std::vector<double> squares(rest.size(), 0.0);
@@ -99,8 +106,6 @@ std::vector<double> relocated(CurveProblem& problem, const std::vector<double>& 
       static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
   const double end = s + 1 < rest.size() ? rest[s + 1] : rest.front() + 1;
   rest.insert(rest.begin() + static_cast<Index>(s) + 1, (rest[s] + end) / 2);
-  if (rest.front() >= 1)
-    for (double& x : rest) x -= 1;
   return rest;
 }
 
@@ -112,9 +117,7 @@ double optimize_period(CurveProblem& problem, std::vector<double>& knots, const 
     if (stop && stop()) break;
     std::vector<double> loss;
     for (std::size_t i = 0; i < knots.size(); ++i) {
-      std::vector<double> without = knots;
-      without.erase(without.begin() + static_cast<Index>(i));
-      problem.solve(without);
+      problem.solve(without(knots, i));
       loss.push_back(problem.phi());
     }
     std::vector<std::size_t> order(loss.size());
