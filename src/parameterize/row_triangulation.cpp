@@ -7,9 +7,8 @@
 namespace knotfit::cloud {
 namespace {
 
-constexpr Index kMostCells =
-    4'000'000;              // of a strip: what the rows may be shifted against each other by depends on it
-constexpr double kGap = 8;  // times as long as the others: a gap in a row
+constexpr Index kMostCells = 4'000'000;  // of a strip; on longer rows a band of pairs is looked at
+constexpr double kGap = 8;  // times as long as the others: a gap in a row, or a row that is stray
 
 double apart(std::span<const double> points, Index a, Index b) {
   return std::hypot(points[3 * b] - points[3 * a], points[3 * b + 1] - points[3 * a + 1],
