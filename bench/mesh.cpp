@@ -8,6 +8,10 @@
 namespace knotfit {
 namespace {
 
+void by_both_clocks(benchmark::internal::Benchmark* b) {
+  b->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+}
+
 const Mesh& face() {
   static const Mesh mesh = [] {
     const SourceData data = read_data(KNOTFIT_SAMPLES "/face.obj");
@@ -27,19 +31,14 @@ void map(benchmark::State& state, bool searched) {
   const MeshMapOptions options = searched ? MeshMapOptions{} : one_map();
   for (auto _ : state) benchmark::DoNotOptimize(parameterize_mesh(face(), options));
 }
-BENCHMARK_CAPTURE(map, one, false)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(map, searched, true)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(map, one, false)->Apply(by_both_clocks);
+BENCHMARK_CAPTURE(map, searched, true)->Apply(by_both_clocks);
 
 struct Prepared {
   MeshMap map = parameterize_mesh(face(), one_map());
   Mesh mesh = halve_edges(face(), map.halved_edges);
-  correction::CorrectionWork work{mesh, parameters(), options()};
+  correction::CorrectionWork work{mesh, map.all_uv(), options()};
 
-  std::vector<double> parameters() const {
-    std::vector<double> uv = map.uv;
-    uv.insert(uv.end(), map.halved_uv.begin(), map.halved_uv.end());
-    return uv;
-  }
   CorrectionOptions options() const {
     CorrectionOptions options;
     options.aspect = map.quality.aspect;
@@ -59,18 +58,8 @@ void rounds(benchmark::State& state, bool measured) {
     if (measured) benchmark::DoNotOptimize(prepared.work.finish(std::move(r), true, control));
   }
 }
-BENCHMARK_CAPTURE(rounds, alone, false)
-    ->Arg(20)
-    ->Arg(40)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime()
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(rounds, measured, true)
-    ->Arg(20)
-    ->Arg(40)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime()
-    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(rounds, alone, false)->Arg(20)->Arg(40)->Apply(by_both_clocks);
+BENCHMARK_CAPTURE(rounds, measured, true)->Arg(20)->Arg(40)->Apply(by_both_clocks);
 
 }  // namespace
 }  // namespace knotfit

@@ -46,8 +46,7 @@ std::string picture_of(const MappedMesh& mapped, const ParameterizeArguments& ar
                        const std::string& extension) {
   const MeshMap& map = *mapped.map;
   const Mesh halved = halve_edges(mapped.mesh, map.halved_edges);
-  std::vector<double> uv = map.uv;
-  uv.insert(uv.end(), map.halved_uv.begin(), map.halved_uv.end());
+  const std::vector<double> uv = map.all_uv();
   MapPictureInput picture;
   picture.mesh = &halved;
   picture.uv = &uv;

@@ -56,8 +56,8 @@ struct CloudMap {
 };
 
 /// \param points  n x 3, row-major
-/// \throws InvalidInput  fewer than 4 points, one not finite, all on one line; normals of another number or not finite; a cloud that the base cannot carry:
-///   the message says why and what to do
+/// \throws InvalidInput  fewer than 4 points, one not finite, all on one line; normals of another number or not finite;
+///   a cloud that the base cannot carry: the message says why and what to do
 CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& options = {},
                             const Control& control = {});
 

@@ -55,6 +55,13 @@ struct MeshMap {
   /// to the surface. The least distance^(3/4) error^(1/4) chooses omega and the corners.
   double trial_error = 0, trial_distance = 0;
   bool stopped = false;  ///< cut short by stop or time: a sound map, not the best
+
+  /// Parameters of the vertices of halve_edges(mesh, halved_edges), (n + halved edges) x 2.
+  std::vector<double> all_uv() const {
+    std::vector<double> all = uv;
+    all.insert(all.end(), halved_uv.begin(), halved_uv.end());
+    return all;
+  }
 };
 
 /// A map of a disk onto the unit square without flipped triangles [Floater03, Yoshizawa04, Lai06, Smith19].

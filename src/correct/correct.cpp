@@ -36,10 +36,8 @@ CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const 
   CorrectionOptions options = given;
   if (options.aspect == 0) options.aspect = map.quality.aspect;
   if (options.data_vertices < 0) options.data_vertices = mesh.vertex_count();
-  std::vector<double> uv = map.uv;
-  uv.insert(uv.end(), map.halved_uv.begin(), map.halved_uv.end());
-  CorrectionResult result =
-      correct_parameters(halve_edges(mesh, map.halved_edges), uv, knots_u, knots_v, options, control);
+  CorrectionResult result = correct_parameters(halve_edges(mesh, map.halved_edges), map.all_uv(), knots_u,
+                                               knots_v, options, control);
   for (std::vector<double>* x : {&result.uv, &result.foot_points})
     if (!x->empty()) x->resize(static_cast<std::size_t>(2 * mesh.vertex_count()));
   if (!result.signed_distances.empty())

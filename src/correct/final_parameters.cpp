@@ -118,7 +118,7 @@ constexpr int most_sweeps(int rings) {
   return 20 + 10 * rings;
 }
 
-/// Successive over-relaxation until every vertex is the mean that its weights say. \return false where it does not settle
+/// Successive over-relaxation towards every vertex the mean that its weights say. \return false where it runs away
 bool relax(const Patch& patch, std::span<const Slide> slide, int rings, std::vector<double>& uv) {
   constexpr double settled = 1e-9, lost = 10, most_relaxation = 1.8;
   const double relaxation = std::min(most_relaxation, 2 / (1 + std::sin(std::numbers::pi / (2 * rings + 2))));

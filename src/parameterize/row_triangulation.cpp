@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
+
+#include "base/median.h"
+#include "parameterize/row_parameters.h"
 namespace knotfit::cloud {
 namespace {
 
@@ -11,14 +15,7 @@ constexpr Index kMostCells = 4'000'000;  // of a strip; on longer rows a band of
 constexpr double kGap = 8;  // times as long as the others: a gap in a row, or a row that is stray
 
 double apart(std::span<const double> points, Index a, Index b) {
-  return std::hypot(points[3 * b] - points[3 * a], points[3 * b + 1] - points[3 * a + 1],
-                    points[3 * b + 2] - points[3 * a + 2]);
-}
-
-double median(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
+  return parameterize::spacing_length(&points[3 * a], &points[3 * b], RowSpacing::chord);
 }
 
 /// From the first points of two rows to their last ones: 0, a step along `a`; 1, along `b`.
@@ -55,15 +52,17 @@ std::vector<std::vector<Index>> rows_of(std::span<const double> uv, Index& coinc
   std::vector<std::vector<Index>> rows;
   const auto n = static_cast<Index>(uv.size()) / 2;
   for (Index k = 0; k < n; ++k) {
-    if (k == 0 || uv[2 * k + 1] > uv[2 * k - 1])
-      rows.emplace_back();
-    else if (uv[2 * k + 1] < uv[2 * k - 1] || uv[2 * k] < uv[2 * rows.back().back()])
-      return {};
-    else if (uv[2 * k] == uv[2 * rows.back().back()]) {
-      ++coincident;
+    const double u = uv[2 * k], v = uv[2 * k + 1];
+    if (k == 0 || v > uv[2 * k - 1]) {
+      rows.push_back({k});
       continue;
     }
-    rows.back().push_back(k);
+    const double last = uv[2 * rows.back().back()];
+    if (v < uv[2 * k - 1] || u < last) return {};
+    if (u > last)
+      rows.back().push_back(k);
+    else
+      ++coincident;
   }
   for (const auto& row : rows)
     if (row.size() < 2) return {};
@@ -91,38 +90,41 @@ struct Strip {
   }
 };
 
-/// Leaves out rows that are far from both their neighbours, which are near each other.
-std::vector<Index> drop_stray_rows(std::span<const double> points, std::vector<std::vector<Index>>& rows) {
+/// Between each row and the next, without rows that are far from both their neighbours, which are near each other.
+std::vector<Strip> strips_of(std::span<const double> points, const std::vector<std::vector<Index>>& rows,
+                             std::vector<Index>& stray) {
+  std::vector<Strip> all, strips;
   std::vector<double> width;
-  for (std::size_t r = 1; r < rows.size(); ++r) width.push_back(Strip(points, rows[r - 1], rows[r]).width());
-  const double most = kGap * median(width);
-  std::vector<Index> stray;
-  std::vector<std::vector<Index>> kept;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const bool far = r > 0 && r + 1 < rows.size() && width[r - 1] > most && width[r] > most;
-    if (far && Strip(points, kept.back(), rows[r + 1]).width() <= most)
-      stray.push_back(static_cast<Index>(r));
-    else
-      kept.push_back(std::move(rows[r]));
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    all.emplace_back(points, rows[r - 1], rows[r]);
+    width.push_back(all.back().width());
   }
-  rows = std::move(kept);
-  return stray;
+  const double most = kGap * median(width);
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    if (r + 1 < rows.size() && width[r - 1] > most && width[r] > most)
+      if (Strip across(points, rows[r - 1], rows[r + 1]); across.width() <= most) {
+        stray.push_back(static_cast<Index>(r));
+        strips.push_back(std::move(across));
+        ++r;
+        continue;
+      }
+    strips.push_back(std::move(all[r - 1]));
+  }
+  return strips;
 }
 
 }  // namespace
 
 CloudMap triangulate_rows(std::span<const double> points, std::span<const double> uv) {
   CloudMap cloud;
-  std::vector<std::vector<Index>> rows = rows_of(uv, cloud.coincident);
+  const std::vector<std::vector<Index>> rows = rows_of(uv, cloud.coincident);
   if (rows.size() < 2) return {};
-  cloud.stray_rows = drop_stray_rows(points, rows);
   cloud.points = static_cast<Index>(uv.size()) / 2;
   Mesh& mesh = cloud.mesh;
   mesh.vertices.assign(points.begin(), points.end());
   for (Index k = 0; k < cloud.points; ++k) mesh.vertex_line.push_back(k + 1);
   std::vector<char> real(static_cast<std::size_t>(cloud.points), 0);
-  for (std::size_t r = 1; r < rows.size(); ++r) {
-    const Strip strip(points, rows[r - 1], rows[r]);
+  for (const Strip& strip : strips_of(points, rows, cloud.stray_rows)) {
     const double longest = kGap * std::max(median(strip.along), median(strip.across));
     for (std::size_t f = 0; f < strip.faces.size(); ++f) {
       const bool gap = strip.along[f] > longest;

@@ -96,10 +96,8 @@ void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions
   CorrectionOptions how = given;
   if (how.aspect == 0) how.aspect = map.quality.aspect;
   how.data_vertices = mesh.vertex_count();
-  std::vector<double> uv = map.uv;
-  uv.insert(uv.end(), map.halved_uv.begin(), map.halved_uv.end());
   const Mesh halved = halve_edges(mesh, map.halved_edges);
-  const correction::CorrectionWork work(halved, uv, how);
+  const correction::CorrectionWork work(halved, map.all_uv(), how);
   Tolerance inside = r.asked;  // room for the way out of the frame
   inside.value = std::max(0.0, r.tolerance * (1 - 1e-9) - 4 * rounding) / work.frame().diagonal;
   if (!options.tolerance) inside.measure = ErrorMeasure::rms;

@@ -27,10 +27,9 @@ double squared_values(const ParameterizedPoints& points) {
 /// Nielsen's damping [Nielsen99]. Steps [METHOD 3]; the starts, 2 and 3 are ours:
 ///  1. from three starts (two-stage error model, the error model iterated at the counts from uniform, equal marginal
 ///     shares of the feature measure) to a local minimum each;
-///  2. from each, relocation: the knot of least loss dropped, one inserted where the gain is greatest, minimised again
-///     (of the best, at last, four knots at three peaks of the gain each);
+///  2. from each, relocation: the knot of least loss dropped, one inserted where the gain is greatest, minimised again;
 ///  3. ties: near pairs of knots become one of higher multiplicity where phi falls;
-///  4. the least phi of all.
+///  4. the least phi of all, relocated once more: four knots, each tried at three peaks of the gain.
 Placement place_optimal(PlacementContext& context, int interior_u, int interior_v) {
   FitProblem& problem = context.problem();
   std::vector<InteriorKnots> starts;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "fit/knot_gain.h"
 #include "fit/knot_loss.h"
@@ -13,13 +14,14 @@ std::vector<double>& line(InteriorKnots& knots, bool along_v) {
   return along_v ? knots.v : knots.u;
 }
 
-/// Middles of the spans where the gain of a knot peaks in the present fit, the greatest first, at most so many.
+/// Middles of the spans where the gain of a knot peaks in the present fit, the greatest first; one at least, at most so
+/// many.
 std::vector<double> gain_peaks(FitProblem& problem, bool along_v, std::size_t most) {
   const std::vector<double> gain = knot_gains(problem, along_v);
   std::vector<Index> spans;
   const auto n = static_cast<Index>(gain.size());
   for (Index i = 0; i < n; ++i)
-    if ((i == 0 || gain[i] > gain[i - 1]) && (i + 1 == n || gain[i] >= gain[i + 1])) spans.push_back(i);
+    if ((i == 0 || !(gain[i] <= gain[i - 1])) && (i + 1 == n || !(gain[i] < gain[i + 1]))) spans.push_back(i);
   std::stable_sort(spans.begin(), spans.end(), [&](Index a, Index b) { return gain[a] > gain[b]; });
   spans.resize(std::min(spans.size(), most));
   const Axis& axis = along_v ? problem.axis_v() : problem.axis_u();
@@ -45,6 +47,28 @@ LevenbergOptions with_steps(LevenbergOptions options, int steps) {
   return options;
 }
 
+/// Drops a knot and tries it at the peaks of the gain. \return true where one lowers phi by more than options.gain, and
+/// is taken
+bool relocate_knot(FitProblem& problem, InteriorKnots& knots, double& phi, bool along_v, std::size_t dropped,
+                   const LevenbergOptions& levenberg, const RelocationOptions& options) {
+  InteriorKnots fewer = knots;
+  auto& k = line(fewer, along_v);
+  k.erase(k.begin() + static_cast<Index>(dropped));
+  minimize_over_knots(problem, fewer, with_steps(levenberg, 3));
+  LevenbergOptions towards = levenberg;
+  towards.target = phi * (1 - options.gain);
+  for (const double at : gain_peaks(problem, along_v, options.peaks)) {
+    InteriorKnots trial = fewer;
+    insert(trial, along_v, at);
+    const double after = minimize_over_knots(problem, trial, towards);
+    if (!(after < towards.target)) continue;
+    phi = after;
+    knots = std::move(trial);
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
@@ -58,27 +82,11 @@ double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
       std::iota(order.begin(), order.end(), 0);
       std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return loss[a] < loss[b]; });
       order.resize(std::min<std::size_t>(order.size(), options.candidates));
-      for (std::size_t c : order) {
-        InteriorKnots fewer = knots;
-        auto& k = line(fewer, along_v);
-        k.erase(k.begin() + static_cast<Index>(c));
-        minimize_over_knots(problem, fewer, with_steps(levenberg, 3));
-        LevenbergOptions towards = levenberg;
-        towards.target = phi * (1 - options.gain);
-        bool better = false;
-        for (const double at : gain_peaks(problem, along_v, options.peaks)) {
-          InteriorKnots trial = fewer;
-          insert(trial, along_v, at);
-          const double after = minimize_over_knots(problem, trial, towards);
-          better = after < phi * (1 - options.gain);
-          if (!better) continue;
-          phi = after;
-          knots = trial;
+      for (const std::size_t c : order)
+        if (relocate_knot(problem, knots, phi, along_v, c, levenberg, options)) {
+          moved = true;
           break;
         }
-        moved = moved || better;
-        if (better) break;
-      }
     }
     if (!moved) break;
   }
@@ -143,7 +151,7 @@ InteriorKnots adapt_knots(FitProblem& problem, InteriorKnots knots, std::size_t 
     }
     while (line(knots, along_v).size() < wanted) {
       problem.solve(knots);
-      for (const double at : gain_peaks(problem, along_v, 1)) insert(knots, along_v, at);
+      insert(knots, along_v, gain_peaks(problem, along_v, 1).front());
       minimize_over_knots(problem, knots, few);
     }
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "knotfit/verify.h"
 #include "verify/local_reference.h"
@@ -24,10 +25,7 @@ double find_noise(const DistinctPoints& points, const Neighbours& neighbours, un
       },
       4);
   std::erase(found, -1);  // places where nothing can be said
-  if (found.empty()) return 0;
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  std::nth_element(found.begin(), middle, found.end());
-  return *middle;
+  return found.empty() ? 0 : median(std::move(found));
 }
 
 }  // namespace verify

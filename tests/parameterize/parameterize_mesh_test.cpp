@@ -40,9 +40,7 @@ void expect_sound(const Mesh& mesh, const MeshMap& map) {
     for (int c = 0; c < 2; ++c) EXPECT_EQ(map.uv[2 * map.corners[k] + c], square[k][c]);
   EXPECT_EQ(map.quality.flipped, 0);
   const Mesh halved = halve_edges(mesh, map.halved_edges);
-  std::vector<double> uv = map.uv;
-  uv.insert(uv.end(), map.halved_uv.begin(), map.halved_uv.end());
-  const MapQuality quality = measure_map(halved, uv);
+  const MapQuality quality = measure_map(halved, map.all_uv());
   EXPECT_EQ(quality.flipped, 0);
   EXPECT_NEAR(quality.stretch, map.quality.stretch, 1e-9 * quality.stretch);  // needles magnify rounding
   EXPECT_GT(map.quality.worst_angle, 0);
