@@ -56,8 +56,8 @@ Json json_row(const CompareRow& row) {
     j["control_points"] = r.surface.control_point_count();
     j["rms"] = number(r.error.rms);
     j["max"] = number(r.error.max);
-    j["between"] = measured ? number(r.between.between) : Json(nullptr);
-    j["bound"] = measured ? number(r.between.bound) : Json(nullptr);
+    j["between"] = measured ? number(r.between.between.value_or(NAN)) : Json(nullptr);
+    j["bound"] = measured ? number(r.between.bound.value_or(NAN)) : Json(nullptr);
     j["thin"] = measured ? number(r.between.thin) : Json(nullptr);
     j["status"] = to_string(r.status);
     j["reached"] = row.tolerance.value > 0 ? Json(r.reached) : Json(nullptr);
@@ -100,7 +100,7 @@ std::string compare_table(const std::vector<CompareRow>& rows) {
         fmt::format("{:>9}  {:>6}  {:>10.4g}  {:>10.4g}  {:>10}  {:>8.2f}  {:>7}{}\n",
                     fmt::format("{}x{}", r.surface.size_u(), r.surface.size_v()),
                     r.surface.control_point_count(), r.error.rms, r.error.max,
-                    r.between.measured ? fmt::format("{:.4g}", r.between.between) : "-", row.seconds, r.fits,
+                    r.between.between ? fmt::format("{:.4g}", *r.between.between) : "-", row.seconds, r.fits,
                     row.tolerance.value > 0 && !r.reached ? fmt::format("  {}", to_string(r.status)) : "");
   }
   return text;
@@ -111,13 +111,13 @@ std::string compare_csv(const std::vector<CompareRow>& rows) {
       "method,asked,size_u,size_v,control_points,rms,max,between,bound,thin,seconds,fits,status,failure\n";
   for (const CompareRow& row : rows) {
     const FitResult& r = row.result;
-    const bool f = row.fitted, b = f && r.between.measured;
+    const bool f = row.fitted, b = f && r.between.measured, promised = b && r.between.between;
     text += fmt::format(
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", field(row.method), asked_text(row),
         f ? fmt::format("{}", r.surface.size_u()) : "", f ? fmt::format("{}", r.surface.size_v()) : "",
         f ? fmt::format("{}", r.surface.control_point_count()) : "", number_or_nothing(f, r.error.rms),
-        number_or_nothing(f, r.error.max), number_or_nothing(b, r.between.between),
-        number_or_nothing(b, r.between.bound), number_or_nothing(b, r.between.thin),
+        number_or_nothing(f, r.error.max), number_or_nothing(promised, r.between.between.value_or(0)),
+        number_or_nothing(promised, r.between.bound.value_or(0)), number_or_nothing(b, r.between.thin),
         number_or_nothing(true, row.seconds), r.fits, f ? to_string(r.status) : "failed", field(row.failure));
   }
   return text;

@@ -234,6 +234,8 @@ int exit_status(const FitResult& result) {
       return kOther;
     case Status::fixed_size:
       return kReached;
+    case Status::time_limit:  // the search did not end, whatever it has
+      return kNotReached;
     default:
       return result.reached ? kReached : kNotReached;
   }
@@ -301,6 +303,7 @@ int run_fit(const FitArguments& arguments) {
     } else {
       result = fit_surface(input.points, fit_options(choices, input), control);
     }
+    if (input.all_points.size() > 0) judge_all_points(result, residuals_of_every_point(result, input));
   } catch (const InvalidInput& e) {
     throw InvalidInput(arguments.input + ": " + e.what());
   }

@@ -10,6 +10,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// What was not measured: null.
+Json number(const std::optional<double>& x) {
+  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
+}
+
+Json swings_of(const FitResult& r) {
+  const SwingReport& s = r.swings;
+  if (!s.measured) return nullptr;
+  const auto [a, b] = r.map.from_uv(s.worst_u, s.worst_v);
+  return {{"largest", number(s.largest)},
+          {"distance", number(s.distance)},
+          {"u", s.worst_u},
+          {"v", s.worst_v},
+          {"place", {number(a), number(b)}},
+          {"in_gap", s.in_gap},
+          {"places", s.places},
+          {"above_3", s.above},
+          {"beyond_box", number(s.beyond_box)}};
+}
+
 // JSON has no infinity: null.
 Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
@@ -102,9 +122,10 @@ void add_outcome(Json& j, const FitReport& r) {
   const bool measured = result.between.measured;
   j["error"] = error_of(r);
   j["correction"] = correction_of(r);
-  j["between"] = measured ? number(result.between.between) : Json(nullptr);
-  j["bound"] = measured ? number(result.between.bound) : Json(nullptr);
+  j["between"] = number(result.between.between);
+  j["bound"] = number(result.between.bound);
   j["thin"] = measured ? number(result.between.thin) : Json(nullptr);
+  j["swings"] = swings_of(result);
   j["tolerance"] = tolerance_of(r);
   j["measured"] = number(result.measured);
   j["reached"] = result.reached;

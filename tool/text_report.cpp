@@ -66,7 +66,11 @@ std::string tolerance_line(const FitReport& r) {
   else if (r.result.diagonal > 0)
     line += fmt::format(" = {:.3g} %", 100 * asked.value / r.result.diagonal);
   line += " " + measure_text(r.choices);
-  line += r.result.reached ? ": reached" : fmt::format(": NOT reached ({:.4g})", r.result.measured);
+  line += r.result.reached ? ": reached"
+          : r.result.measured <= r.result.tolerance
+              ? fmt::format(": NOT reached (held at the points: {:.4g}; the surface swings between them)",
+                            r.result.measured)
+              : fmt::format(": NOT reached ({:.4g})", r.result.measured);
   if (const double share = share_within(r.result); share < 1)
     line += fmt::format("; {:.4g} % of the points are within it", 100 * share);
   return line + "\n";
@@ -95,10 +99,14 @@ std::string correction_lines(const FitReport& r) {
 }
 
 std::string between_line(const BetweenReport& b, double diagonal) {
-  if (!b.measured) return "";
+  if (!b.measured) return "between the points: not measured\n";
+  if (!b.between)
+    return fmt::format(
+        "between the points: nothing promised; too thin to promise anything: {:.3g} % of the domain\n",
+        100 * b.thin);
   return fmt::format(
       "between the points: {}, bound {}; too thin to promise anything: {:.3g} % of the domain\n",
-      error_text(b.between, diagonal), error_text(b.bound, diagonal), 100 * b.thin);
+      error_text(*b.between, diagonal), error_text(*b.bound, diagonal), 100 * b.thin);
 }
 
 // What optimised knots saved.

@@ -43,8 +43,8 @@ Figures guarded(const Data& data, Effort effort) {
   Figures figures = figures_of(result, watch);
   const FreshError fresh = fresh_error(result.surface, data, tolerance);
   figures["fill_points"] = result.fill_points;
-  figures["between"] = result.between.between / tolerance;
-  figures["bound"] = result.between.bound / tolerance;
+  figures["between"] = result.between.between.value_or(0) / tolerance;
+  figures["bound"] = result.between.bound.value_or(0) / tolerance;
   figures["thin"] = result.between.thin;
   figures["fresh"] = fresh.all / tolerance;
   figures["fresh_promised"] = fresh.promised / tolerance;
@@ -130,8 +130,8 @@ Figures oblique(const Data& data) {
   Figures figures = figures_of(fit.result, watch);
   figures["shear_u"] = fit.result.map.shear_u;
   figures["shear_v"] = fit.result.map.shear_v;
-  figures["between"] = fit.result.between.between / tolerance;
-  figures["bound"] = fit.result.between.bound / tolerance;
+  figures["between"] = fit.result.between.between.value_or(0) / tolerance;
+  figures["bound"] = fit.result.between.bound.value_or(0) / tolerance;
   return figures;
 }
 

@@ -1,5 +1,6 @@
 // Control points for given knots: linear least squares on scattered or gridded weighted data.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,14 @@
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
 namespace knotfit {
+
+/// What holds a surface to its data where hardly any point does: an energy whose weights follow the data's own spacing,
+/// its roughness and the errors that are all the same to the caller, and no knots [METHOD 4, "On real data"].
+class DataEnergy;
+
+/// \param scale  > 0, errors of this size are all the same: the tolerance
+/// \throws InvalidInput  points invalid, scale not positive and finite
+std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale);
 
 struct LeastSquaresOptions {
   /// Relative smoothing floor: lambda = smoothing * tr(A^T W A) / tr(J), J the thin-plate energy
@@ -17,6 +26,9 @@ struct LeastSquaresOptions {
   int refinement_steps = 1;
   /// Estimate the condition number of the normal matrix (costs a few solves).
   bool estimate_condition = true;
+  /// Of these points, or none. Knots so close that a function hardly meets data leave it nearly free, and the surface
+  /// swings between the points: this weighs there, and hardly anywhere else. Not where the data fills a grid.
+  std::shared_ptr<const DataEnergy> energy{};
   /// Use the direction-by-direction solver where the data fills a grid with equal weights.
   bool use_grid = true;
 };

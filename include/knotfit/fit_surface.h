@@ -64,13 +64,16 @@ struct FitResult {
   Tolerance asked;             ///< absolute value, measure, share
   double diagonal = 0;         ///< the unit of a relative tolerance
   double measured = 0;         ///< the error that counts, rechecked
-  bool reached = false;        ///< verdict from the rechecked residuals
+  bool reached = false;        ///< verdict from the rechecked residuals and the swings
   std::vector<double> errors;  ///< n, rechecked, input order
+  Index left_out = 0;  ///< points of the input that were merged or left out of the fit (judge_all_points)
+  double all_max = 0;  ///< the largest error of all points of the input, where some were
   ErrorSummary error;
   double condition = 0;
   double smoothing = 0;
   Index empty_cells = 0;
   double recheck_difference = 0;  ///< largest |rechecked - fitted| error
+  SwingReport swings;             ///< whether the surface keeps to its data where points stand side by side
   BetweenReport between;
   std::string method;  ///< placement method, or "given"
   Effort effort = Effort::balanced;
@@ -88,5 +91,11 @@ struct FitResult {
 /// \throws InvalidInput  see validate(), FitOptions; names what to change
 FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& options,
                       const Control& control = {});
+
+/// The verdict over all points of an input, of which some were merged or left out before the fit: measured, reached, status and
+/// message become those of all; errors stay those of the points fitted.
+/// \param errors  |S - P| of every point of the input, at least as many as were fitted
+/// \throws InvalidInput  fewer errors, or one that is negative or not finite
+void judge_all_points(FitResult& result, const std::vector<double>& errors);
 
 }  // namespace knotfit

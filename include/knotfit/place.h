@@ -1,6 +1,7 @@
 // Where the knots go. One method is one file of src/place/ and one line of methods.cpp.
 #pragma once
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "knotfit/control.h"
 #include "knotfit/features.h"
+#include "knotfit/fit_least_squares.h"
 #include "knotfit/interior_knots.h"
 #include "knotfit/points.h"
 #include "knotfit/tolerance.h"
@@ -23,6 +25,7 @@ struct PlacementOptions {
   FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
   FeatureMap user_features;                          ///< used in place of `feature` where not empty
   long evaluations = 2000;                           ///< of the error, in an evolutionary search
+  std::shared_ptr<const DataEnergy> energy;          ///< of the fits a method makes, as LeastSquaresOptions
   /// Error model: the round kept has the least error of this measure; no further round once it is at
   /// most the value (0: all rounds).
   Tolerance keep_by{.value = 0, .measure = ErrorMeasure::rms};

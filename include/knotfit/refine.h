@@ -1,5 +1,6 @@
 // To a tolerance: the fewest control points that hold it.
 #pragma once
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,10 @@ enum class RefineRoute {
   search,  ///< sizes p x q from the error model, knots placed anew at each [METHOD 4]
   insert   ///< isolines inserted where features or errors are large, re-optimised [Zhang16]
 };
+
+namespace verify {
+class SwingSites;
+}
 
 /// How much work a search with the method "optimal" may take. Counted in fits, never in seconds.
 enum class Effort {
@@ -46,6 +51,9 @@ struct RefineOptions {
   FeatureMap user_features;
   long evaluations = 2000;  ///< of the error, in an evolutionary search at one size
   double noise = 0;         ///< standard deviation of the noise in the data, where known
+  /// Of these points, made once a call and handed down; none: made by the search.
+  std::shared_ptr<const DataEnergy> energy;
+  std::shared_ptr<const verify::SwingSites> sites;
 };
 
 /// How a result stands to what was asked. Names as printed by to_string.
@@ -56,11 +64,12 @@ enum class Status {
   not_reached,            ///< a fixed size or given knots do not hold the tolerance
   data_too_sparse,        ///< half as many control points as points, and still above it
   tolerance_below_noise,  ///< more control points only follow the noise
-  folded,                 ///< the tolerance holds at the vertices, but the surface folds over the mesh
-  limit_reached,          ///< --max-control-points or the budget of fits used up
-  time_limit,             ///< --time-limit cut it short
-  stopped,                ///< the caller's stop token
-  failed                  ///< a surface that is not finite, or whose recheck differs
+  swings,         ///< the tolerance holds at the points, but the surface swings between them (SwingReport)
+  folded,         ///< the tolerance holds at the vertices, but the surface folds over the mesh
+  limit_reached,  ///< --max-control-points or the budget of fits used up
+  time_limit,     ///< --time-limit cut it short
+  stopped,        ///< the caller's stop token
+  failed          ///< a surface that is not finite, or whose recheck differs
 };
 std::string_view to_string(Status status);
 
@@ -73,17 +82,23 @@ struct SizeTried {
 
 struct RefineResult {
   Status status = Status::not_run;
-  InteriorKnots knots;  ///< of the best surface: the smallest that holds, else the least error
-  double error = 0;     ///< the error that counts, there
+  /// Of the best surface: the smallest that holds and does not swing, else the least error among those that do not.
+  InteriorKnots knots;
+  double error = 0;  ///< the error that counts, there
   long fits = 0;
   std::string method;              ///< the knots' own; not the one asked for where that cannot pay
   std::vector<SizeTried> tried;    ///< in order
   InteriorKnots metric;            ///< fine error-model knots (for BetweenOptions); may be empty
   Surface surface;                 ///< the best; with minimax its control points are not the least squares'
   bool least_squares = true;       ///< they are
+  bool holds = false;              ///< the best surface holds the tolerance and does not swing
+  bool swings = false;             ///< the best surface does: none was found that does not
   Index fill_points = 0;           ///< places between the data that the surface was held at
   std::vector<std::string> notes;  ///< what a user should know of the search, a sentence each
 };
+
+/// The scale of make_data_energy() for a tolerance: three times one in root mean square, else itself.
+double energy_scale(const Tolerance& tolerance);
 
 /// \throws InvalidInput  tolerance <= 0 or not finite, a span ratio that is negative or not finite, or below rounding of the data; unknown method
 RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,

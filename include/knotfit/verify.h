@@ -2,6 +2,7 @@
 // honest numbers between the data.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,8 @@ struct ThinPlace {
 /// tried are climbed from, so that `between` and `bound` are those of the tops and not of a sample.
 struct BetweenReport {
   bool measured = false;            ///< false where stopped or out of time: all else is empty then
-  double between = 0;               ///< max |S - z*| over promised places
-  double bound = 0;                 ///< max (|S - z*| + 2 e) over promised places
+  std::optional<double> between;    ///< max |S - z*| over promised places; none where nothing is promised
+  std::optional<double> bound;      ///< max (|S - z*| + 2 e) over promised places; likewise
   double thin = 0;                  ///< share of the domain (random places) not promised
   double worst_u = 0, worst_v = 0;  ///< where `between` is
   Index promised = 0, places = 0;
@@ -49,6 +50,32 @@ struct BetweenReport {
 /// \param tolerance  > 0, absolute
 BetweenReport measure_between(const Surface& surface, const ParameterizedPoints& points, double tolerance,
                               const BetweenOptions& options = {}, const Control& control = {});
+
+/// Whether a surface keeps to its data where points stand side by side. A swing is how far S leaves the box of the 16
+/// nearest points and of its triangle's corners, over the larger of the tolerance and the largest error of the 8 nearest, at places inside small
+/// triangles of neighbours (edges at most three times the distance to the fourth neighbour). Places where S is within three times
+/// that of the local reference are none: a crest between points leaves their box, and the data says so.
+struct SwingReport {
+  bool measured = false;
+  Index places = 0;     ///< random places inside small triangles
+  Index above = 0;      ///< of them, those where the swing is above 3
+  double largest = 0;   ///< the largest swing, in narrow knot cells and gaps too
+  double distance = 0;  ///< how far S leaves the box there, in the data's unit
+  bool in_gap =
+      false;  ///< it lies in a gap, where the box is widened and swings of 10 are what rule B allows
+  double worst_u = 0, worst_v = 0;  ///< where
+  double beyond_box = 0;            ///< how far S leaves the box of all data, anywhere in the domain
+  double box_u = 0, box_v = 0;      ///< where
+  /// A place above 10, more than 1 in 2000 above 3, or beyond the box of all data by more than 2 % of its diagonal and
+  /// two tolerances, not counting what the data about goes on to beyond its outermost points.
+  bool swings = false;
+};
+
+/// \param errors     n, |S - P| of every point in input order
+/// \param tolerance  > 0, absolute
+/// \throws InvalidInput  points invalid, a surface or errors that do not belong to them
+SwingReport measure_swings(const Surface& surface, const ParameterizedPoints& points,
+                           const std::vector<double>& errors, double tolerance);
 
 /// Standard deviation of the noise in the values, by restricted likelihood of a nugget on random
 /// local stencils (median) [METHOD 4, "Noise"]; 0 where there are too few points to tell.

@@ -1,5 +1,6 @@
 // What a fit needs of its data, whatever the data's layout.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "fit/axis.h"

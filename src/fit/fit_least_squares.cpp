@@ -2,9 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "fit/data_energy.h"
 #include "fit/problem.h"
 #include "knotfit/errors.h"
 namespace knotfit {
+
+std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale) {
+  validate(points);
+  if (!(scale > 0) || !std::isfinite(scale))
+    throw InvalidInput(fmt::format("a data energy for errors of {}: it must be positive and finite", scale));
+  return std::make_shared<const DataEnergy>(points, scale);
+}
 
 LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const KnotVector& knots_u,
                                      const KnotVector& knots_v, const LeastSquaresOptions& options) {

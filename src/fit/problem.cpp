@@ -29,7 +29,7 @@ FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degr
       backend_ = std::make_unique<GriddedBackend>(points, std::move(grid));
     }
   if (!backend_) {
-    auto scattered = std::make_unique<ScatteredBackend>(points);
+    auto scattered = std::make_unique<ScatteredBackend>(points, options.energy);
     scattered_ = scattered.get();
     backend_ = std::move(scattered);
   }

@@ -3,7 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "fit/cell_energy.h"
 #include "fit/degrees.h"
 #include "fit/kernels.h"
 #include "fit/smoothing.h"
@@ -21,8 +23,19 @@ static_assert(kDynamic == Eigen::Dynamic);
 
 }  // namespace
 
-ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points)
-    : order_(points), counted_(points.size()) {}
+ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points,
+                                   std::shared_ptr<const DataEnergy> energy)
+    : order_(points), energy_(std::move(energy)), counted_(points.size()) {}
+
+double ScatteredBackend::mean_weight() const {
+  if (order_.weights().empty()) return 1;
+  const std::vector<double>& w = order_.weights();
+  return parallel_sum<double>(order_.size(),
+                              [&](Index begin, Index end) {
+                                return std::accumulate(w.begin() + begin, w.begin() + end, 0.0);
+                              }) /
+         static_cast<double>(order_.size());
+}
 
 void ScatteredBackend::arrange(const Axis& u, const Axis& v) {
   u_ = &u;
@@ -99,6 +112,7 @@ bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoo
     });
   });
   add_smoothing(relative_smoothing);
+  if (energy_) add_energy(*energy_, {outer, inner, swapped_}, mean_weight(), matrix_, data_rhs_);
   if (keep_norm_) norm_ = matrix_.norm_1();
   return matrix_.factor();
 }
@@ -156,6 +170,7 @@ std::vector<double> ScatteredBackend::project(bool residual) {
       });
     });
   }
+  if (residual && energy_) add_energy_gradient(*energy_, {outer, inner, swapped_}, mean_weight(), net_, rhs);
   std::vector<double> x(n * d);
   for (Index k = 0; k < n; ++k)
     for (int e = 0; e < d; ++e) x[e * n + k] = rhs[k * d + e];
@@ -171,6 +186,7 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
   const Axis &outer = *outer_, &inner = *inner_;
   const int d = order_.dimension(), wo = outer.width(), wi = inner.width();
   const Index no = outer.functions(), ni = inner.functions();
+  if (energy_) net_ = net;
   residual_.resize(order_.size() * d);
   const auto& pieces = order_.pieces();
   const auto& start = order_.piece_start();

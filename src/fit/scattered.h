@@ -5,12 +5,14 @@
 #include "fit/backend.h"
 #include "fit/banded.h"
 #include "fit/cell_order.h"
+#include "fit/data_energy.h"
 #include "fit/knot_jacobian.h"
 namespace knotfit {
 
 class ScatteredBackend final : public FitBackend {
  public:
-  explicit ScatteredBackend(const ParameterizedPoints& points);
+  explicit ScatteredBackend(const ParameterizedPoints& points,
+                            std::shared_ptr<const DataEnergy> energy = nullptr);
   bool factor(const Axis& u, const Axis& v, double relative_smoothing) override;
   /// Sorts the points into the cells of these knots: all that residuals() needs.
   void arrange(const Axis& u, const Axis& v);
@@ -49,7 +51,11 @@ class ScatteredBackend final : public FitBackend {
   double squared(Index stored) const;  ///< |r|^2
   ResidualSums sums_of(Index stored) const;
 
+  double mean_weight() const;
+
   CellOrder order_;
+  std::shared_ptr<const DataEnergy> energy_;
+  std::vector<double> net_;  ///< of the last residuals() call, where there is an energy
   const Axis* u_ = nullptr;
   const Axis* v_ = nullptr;
   const Axis* outer_ = nullptr;  ///< the direction with more functions: the band is narrower so

@@ -12,7 +12,8 @@ namespace {
 
 /// At the degrees of the options.
 Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& options,
-                        const Tolerance& tolerance, double noise, const Control& control) {
+                        const Tolerance& tolerance, double noise, const Keeping& keeping,
+                        const Control& control) {
   Chosen chosen;
   chosen.method = options.method;
   chosen.degree_u = options.degree_u;
@@ -32,6 +33,7 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
     place.feature = options.feature;
     place.user_features = options.user_features;
     place.evaluations = options.evaluations;
+    place.energy = keeping.energy;
     if (tolerance.value > 0) place.keep_by = {0, tolerance.measure, tolerance.share};
     const Placement placement = place_knots(options.method, inside, place, control);
     chosen.knots = placement.knots;
@@ -57,6 +59,8 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
   refine.user_features = options.user_features;
   refine.evaluations = options.evaluations;
   refine.noise = noise;
+  refine.energy = keeping.energy;
+  refine.sites = keeping.sites;
   RefineResult found = refine_to_tolerance(inside, refine, control);
   chosen.knots = std::move(found.knots);
   chosen.metric = std::move(found.metric);
@@ -87,8 +91,13 @@ bool better(const Chosen& a, const Chosen& b) {
 class Degrees {
  public:
   Degrees(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
-          double noise, const Control& control)
-      : inside_(inside), options_(options), tolerance_(tolerance), noise_(noise), control_(control) {}
+          double noise, const Keeping& keeping, const Control& control)
+      : inside_(inside),
+        options_(options),
+        tolerance_(tolerance),
+        noise_(noise),
+        keeping_(keeping),
+        control_(control) {}
 
   void try_degrees(int degree_u, int degree_v) {
     FitOptions options = options_;
@@ -102,10 +111,12 @@ class Degrees {
     // A larger surface than the best so far is of no use.
     if (!fixed && best_ && best_->status == Status::reached) options.max_control_points = size_of(*best_);
     if (options.max_control_points > 0 && options.max_control_points < patch) return;
-    Chosen chosen = choose_at_degree(inside_, options, tolerance_, noise_, time_left(control_, start_));
+    Chosen chosen =
+        choose_at_degree(inside_, options, tolerance_, noise_, keeping_, time_left(control_, start_));
     if (fixed) {
       LeastSquaresOptions fit;
       fit.smoothing = options.smoothing;
+      fit.energy = keeping_.energy;
       FitProblem problem(inside_, degree_u, degree_v, fit);
       problem.solve(chosen.knots);
       chosen.error = tolerance_.value > 0 ? problem.measured(tolerance_) : problem.rms();
@@ -131,6 +142,7 @@ class Degrees {
   const FitOptions& options_;
   const Tolerance& tolerance_;
   double noise_;
+  const Keeping& keeping_;
   const Control& control_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<Chosen> best_;
@@ -141,11 +153,11 @@ class Degrees {
 }  // namespace
 
 Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
-                    double noise, const Control& control) {
+                    double noise, const Keeping& keeping, const Control& control) {
   if (!options.degree_auto || options.knots)
-    return choose_at_degree(inside, options, tolerance, noise, control);
+    return choose_at_degree(inside, options, tolerance, noise, keeping, control);
   constexpr int kDegrees[] = {3, 4, 5};
-  Degrees degrees(inside, options, tolerance, noise, control);
+  Degrees degrees(inside, options, tolerance, noise, keeping, control);
   for (int m : kDegrees) degrees.try_degrees(m, m);
   const int best = degrees.best().degree_u;
   for (int m : kDegrees) {

@@ -1,5 +1,6 @@
 // Knots given, placed at a fixed size, or searched to a tolerance.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,10 +23,16 @@ struct Chosen {
   std::vector<std::string> notes;
 };
 
+/// What holds a surface to its data between the points and what says whether it is held: made once a call.
+struct Keeping {
+  std::shared_ptr<const DataEnergy> energy;  ///< none: the smoothing floor alone
+  std::shared_ptr<const verify::SwingSites> sites;
+};
+
 /// \param inside     points in the frame
 /// \param tolerance  in the frame; value 0: none
 /// \param noise      standard deviation found in the data, in the frame
 Chosen choose_knots(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
-                    double noise, const Control& control);
+                    double noise, const Keeping& keeping, const Control& control);
 
 }  // namespace knotfit

@@ -5,16 +5,23 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include "fit/problem.h"
 #include "knotfit/errors.h"
 #include "pipeline/choose_knots.h"
+#include "pipeline/crowding.h"
 #include "pipeline/frame.h"
 #include "pipeline/message.h"
 #include "pipeline/requirements.h"
+#include "pipeline/verdict.h"
 #include "place/shares.h"
+#include "verify/swings.h"
 namespace knotfit {
 namespace {
+
+constexpr Index kSwingPlaces = 20000;  // a search asks of every net that would become the best
 
 /// The surface of the knots chosen: their least squares, with the refinement step that takes the smoothing
 /// floor's share out, or the control points the search found. The problem holds it.
@@ -51,23 +58,52 @@ bool check(FitResult& result, const ParameterizedPoints& points, const std::vect
   return sound && result.recheck_difference <= rounding;
 }
 
-/// Status, measured and reached from the rechecked errors.
-void judge(FitResult& result, const ParameterizedPoints& points, Status searched, bool with_tolerance,
-           bool search) {
-  result.error = summarize_errors(result.errors, points);
-  if (!with_tolerance) {
-    result.measured = result.error.max;
-    result.status = searched;
-    return;
-  }
-  result.measured = measured_error(result.errors, result.asked);
-  result.reached = result.measured <= result.tolerance;
-  const bool cut = searched == Status::stopped || searched == Status::time_limit;
-  result.status = cut                                     ? searched
-                  : result.reached                        ? Status::reached
-                  : search && searched != Status::reached ? searched
-                                                          : Status::not_reached;
+/// Progress in the data's unit, as the result has it.
+Control outside(const Control& control, double scale) {
+  Control scaled = control;
+  if (control.progress)
+    scaled.progress = [&control, scale](const Progress& inside) {
+      Progress progress = inside;
+      for (double* x : {&progress.error, &progress.tolerance})
+        if (*x > 0) *x *= scale;
+      control.progress(progress);
+    };
+  return scaled;
 }
+
+/// Knots chosen and their surface, with what it does between the points. Works in the frame.
+struct Fitted {
+  Chosen chosen;
+  std::optional<FitProblem> problem;  ///< holds the surface
+  bool solved = false;
+  bool plain = true;  ///< the least squares of the knots, without an energy
+  SwingReport swings;
+
+  Fitted(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
+         double noise, const Keeping& keeping, const Control& control)
+      : chosen(choose_knots(inside, options, tolerance, noise, keeping, control)) {
+    solve(inside, options, tolerance, keeping, nullptr);
+    const bool lost = chosen.status == Status::reached && problem->measured(tolerance) > tolerance.value;
+    if (!keeping.energy || chosen.surface || problem->on_grid() || (solved && !swings.swings && !lost))
+      return;
+    plain = false;
+    solve(inside, options, tolerance, keeping, keeping.energy);
+  }
+
+ private:
+  void solve(const ParameterizedPoints& inside, const FitOptions& options, const Tolerance& tolerance,
+             const Keeping& keeping, std::shared_ptr<const DataEnergy> energy) {
+    LeastSquaresOptions fit;
+    fit.smoothing = options.smoothing;
+    fit.use_grid = !chosen.surface;
+    fit.energy = std::move(energy);
+    problem.emplace(inside, chosen.degree_u, chosen.degree_v, fit);
+    solved = fit_chosen(*problem, chosen, tolerance);
+    if (!solved) return;
+    const double unit = std::max(tolerance.value, tolerance.value > 0 ? 0 : problem->rms());
+    if (unit > 0) swings = keeping.sites->measure(problem->surface(), problem->errors(), unit);
+  }
+};
 
 /// The same size on uniform knots and on those of the error model.
 void compare(FitResult& result, FitProblem& problem, const ParameterizedPoints& inside,
@@ -103,14 +139,16 @@ BetweenReport between_points(const Surface& inside_surface, const ParameterizedP
   options.metric_u = metric.u;
   options.metric_v = metric.v;
   BetweenReport report = measure_between(inside_surface, inside, unit / scale, options, control);
-  for (double* x : {&report.between, &report.bound, &report.noise}) *x *= scale;
+  for (std::optional<double>* x : {&report.between, &report.bound})
+    if (*x) **x *= scale;
+  report.noise *= scale;
   for (ThinPlace& place : report.thin_places) place.error_bar *= scale;
   return report;
 }
 
 }  // namespace
 
-FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& options, const Control& control) {
+FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& options, const Control& given) {
   const auto start = std::chrono::steady_clock::now();
   check_requirements(points, options);
 
@@ -119,6 +157,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   result.height_field = points.height_field;
   result.diagonal = bounding_diagonal(points);
   const Frame frame(points);
+  const Control control = outside(given, frame.scale());
   const bool searched = !options.knots && options.control_points_u == 0 && options.control_points_v == 0;
   if (options.tolerance) {
     result.asked = absolute_tolerance(*options.tolerance, points, result.diagonal, frame.rounding());
@@ -127,23 +166,39 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
     throw InvalidInput("give a tolerance, a number of control points, or knots");
   }
   note_duplicates(points, result.notes);
+  const Crowding crowding =
+      points.dimension == 3 && !points.height_field ? measure_crowding(points) : Crowding{};
 
   const ParameterizedPoints inside = frame.inside(points);
   // Undoing the frame moves control points by up to an ulp of the data: leave room for it.
   Tolerance tolerance = result.asked;
   tolerance.value = std::max(0.0, (result.tolerance * (1 - 1e-9) - 4 * frame.rounding()) / frame.scale());
+  Keeping keeping;
+  keeping.sites = std::make_shared<const verify::SwingSites>(inside, kSwingPlaces);
   if (searched) {
     const double noise = estimate_noise(inside);
     if (noise > 0.02 * tolerance.value) result.noise = noise * frame.scale();
   }
-  Chosen chosen =
-      choose_knots(inside, options, tolerance, result.noise / frame.scale(), time_left(control, start));
-
-  LeastSquaresOptions fit;
-  fit.smoothing = options.smoothing;
-  fit.use_grid = !chosen.surface;
-  FitProblem problem(inside, chosen.degree_u, chosen.degree_v, fit);
-  const bool solved = fit_chosen(problem, chosen, tolerance);
+  if (searched) keeping.energy = make_data_energy(inside, energy_scale(tolerance));
+  auto fitted = std::make_unique<Fitted>(inside, options, tolerance, result.noise / frame.scale(), keeping,
+                                         time_left(control, start));
+  if (!searched && fitted->solved && fitted->swings.swings && !fitted->problem->on_grid()) {
+    // A size or knots of the user's, whose least squares swing: the same held to the data by its energy, for errors of the
+    // size that it leaves.
+    keeping.energy = make_data_energy(inside, std::max(energy_scale(tolerance), fitted->problem->rms()));
+    auto held = std::make_unique<Fitted>(inside, options, tolerance, 0.0, keeping, time_left(control, start));
+    held->chosen.fits += fitted->chosen.fits + fitted->problem->fits();
+    if (held->solved && held->swings.largest < fitted->swings.largest) {
+      held->chosen.notes.push_back(
+          fmt::format("the least squares of these knots swing between the points (by {:.3g} times the errors "
+                      "there): an energy that "
+                      "follows the data's own spacing holds the surface",
+                      fitted->swings.largest));
+      fitted.swap(held);
+    }
+  }
+  Chosen& chosen = fitted->chosen;
+  FitProblem& problem = *fitted->problem;
   result.fits = chosen.fits + problem.fits();
   result.method = chosen.method;
   result.effort = options.effort;
@@ -151,7 +206,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   result.tried = std::move(chosen.tried);
   result.fill_points = chosen.fill_points;
   result.notes.insert(result.notes.end(), chosen.notes.begin(), chosen.notes.end());
-  if (!solved) {
+  if (!fitted->solved) {
     result.status = Status::failed;
     result.message =
         "no surface: the normal equations of these knots cannot be solved; ask for fewer control points";
@@ -159,7 +214,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   }
   const Surface inside_surface = problem.surface();
   result.surface = frame.outside(inside_surface);
-  result.least_squares = !chosen.surface;
+  result.least_squares = !chosen.surface && fitted->plain;
   result.condition = problem.condition();
   result.smoothing = problem.smoothing();
   result.empty_cells = problem.empty_cells();
@@ -170,6 +225,8 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
                     result.recheck_difference);
     return result;
   }
+  result.swings = fitted->swings;
+  for (double* x : {&result.swings.distance, &result.swings.beyond_box}) *x *= frame.scale();
   judge(result, points, chosen.status, options.tolerance.has_value(), searched);
   if (result.empty_cells > 0)
     result.notes.push_back(fmt::format(
@@ -182,6 +239,16 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
     if (unit > 0)
       result.between = between_points(inside_surface, inside, unit, chosen.metric, frame.scale(), control);
   }
+  if (crowding.crowded() &&
+      (result.status != Status::reached || result.surface.control_point_count() * 10 > points.size()))
+    result.notes.insert(
+        result.notes.begin(),
+        fmt::format(
+            "nine points in ten crowd {:.2g} % of the parameter square, and the surface stretches {:.2g} "
+            "times more in the rest: these parameters need many control points; --correct moves them "
+            "with the surface, which then needs far fewer",
+            100 * crowding.share, crowding.stretch));
+  note_swings(result);
   result.message = message_of(result, points.size());
   return result;
 }

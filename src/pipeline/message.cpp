@@ -18,7 +18,9 @@ std::string measure_name(const Tolerance& t) {
 
 }  // namespace
 
-std::string message_of(const FitResult& r, Index points) {
+namespace {
+
+std::string sentence_of(const FitResult& r, Index points) {
   const std::string size = fmt::format("{} x {} = {} control points", r.surface.size_u(), r.surface.size_v(),
                                        r.surface.control_point_count());
   const std::string measured =
@@ -42,6 +44,16 @@ std::string message_of(const FitResult& r, Index points) {
           "the tolerance is below the noise of the data (standard deviation about {:.3g}): more control "
           "points would only follow the noise; best {}: {}",
           r.noise, size, measured);
+    case Status::swings:
+      return r.measured <= r.tolerance
+                 ? fmt::format(
+                       "the tolerance holds at the points, but between them the surface swings; {}: {}", size,
+                       measured)
+                 : fmt::format(
+                       "every surface found that holds the tolerance at the points swings between them; the "
+                       "best "
+                       "that does not, {}: {}",
+                       size, measured);
     case Status::folded:
       return fmt::format(
           "the surface folds over the mesh, though at the vertices the tolerance holds; {}: {}", size,
@@ -59,6 +71,17 @@ std::string message_of(const FitResult& r, Index points) {
       break;
   }
   return "nothing was fitted";
+}
+
+}  // namespace
+
+std::string message_of(const FitResult& r, Index points) {
+  std::string message = sentence_of(r, points);
+  if (r.left_out > 0)
+    message += fmt::format(
+        "; {} points of the input were merged or left out, and of all its points the farthest is {:.4g} off",
+        r.left_out, r.all_max);
+  return message;
 }
 
 }  // namespace knotfit

@@ -54,6 +54,7 @@ FeatureMap PlacementContext::measure_features() {
     fit.smoothing = options_.smoothing;
     fit.refinement_steps = 0;
     fit.estimate_condition = false;
+    fit.energy = options_.energy;
     FitProblem higher(problem_.points(), std::min(problem_.degree_u() + 1, kMaxDegree),
                       std::min(problem_.degree_v() + 1, kMaxDegree), fit);
     ++other_fits_;

@@ -113,6 +113,7 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
   fit.use_grid = method != "optimal";
+  fit.energy = options.energy;
   FitProblem problem(points, options.degree_u, options.degree_v, fit);
   PlacementContext context(problem, options, control);
   Placement placement = place(context, options.interior_u, options.interior_v);

@@ -16,6 +16,7 @@ Placement prune_knots(const ParameterizedPoints& points, InteriorKnots knots, co
   fit.smoothing = options.smoothing;
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
+  fit.energy = options.energy;
   FitProblem problem(points, options.degree_u, options.degree_v, fit);
   Placement placement;
   const auto stop = [&] { return control.stop.stop_requested(); };

@@ -3,33 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+
+#include "fit/scattered.h"
+#include "refine/size_solver.h"
 namespace knotfit {
 
 namespace {
 
-/// Low and high of each component, enlarged by the diagonal on either side.
-std::vector<double> enlarged_box(const ParameterizedPoints& points) {
-  const int d = points.dimension;
-  std::vector<double> box(2 * d);
-  const double diagonal = bounding_diagonal(points);
-  for (int e = 0; e < d; ++e) {
-    double low = INFINITY, high = -INFINITY;
-    for (Index k = 0; k < points.size(); ++k) {
-      low = std::min(low, points.value(k)[e]);
-      high = std::max(high, points.value(k)[e]);
-    }
-    box[2 * e] = low - diagonal;
-    box[2 * e + 1] = high + diagonal;
-  }
-  return box;
+/// How much worse than its tolerance a surface counts that holds it at the points and swings between them: by the root of what it
+/// is beyond what is allowed, but never so far that the size looks hopeless.
+double refused(const SwingReport& swings, double tolerance) {
+  return tolerance * std::clamp(std::sqrt(swings.largest / 10), 1.001, 1.3);
 }
 
-bool keeps_to(const std::vector<double>& box, const std::vector<double>& net) {
-  const std::size_t d = box.size() / 2;
-  for (std::size_t i = 0; i < net.size(); ++i)
-    if (!(net[i] >= box[2 * (i % d)] && net[i] <= box[2 * (i % d) + 1])) return false;
-  return true;
-}
+constexpr int kMostMends = 40, kMendRounds = 4;
 
 }  // namespace
 
@@ -47,13 +35,12 @@ Attempts::Attempts(const FitProblem& data, const RefineOptions& options, const C
       control_(control),
       max_fits_(options.max_fits > 0 ? options.max_fits : max_fits),
       max_control_points_(own_limit() ? options.max_control_points : default_control_points(data)),
-      box_(enlarged_box(data.points())),
       best_error_(std::numeric_limits<double>::infinity()) {
   count(data);
 }
 
 long Attempts::fits() const {
-  long sum = 0;
+  long sum = mend_fits_;
   for (const FitProblem* problem : problems_) sum += problem->fits();
   return sum;
 }
@@ -67,37 +54,86 @@ bool Attempts::allowed(Index functions_u, Index functions_v) const {
 
 double Attempts::fit(FitProblem& problem, const InteriorKnots& knots) {
   problem.solve(knots);
-  const double error = problem.measured(options_.tolerance);
-  offer(problem, error);
+  return offer(problem, problem.measured(options_.tolerance));
+}
+
+double Attempts::offer(const FitProblem& problem, double error, bool least_squares) {
+  const Index size = problem.control_points();
+  const double measured = error;
+  bool good = holds(error);
+  const bool smaller = !best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_);
+  if (good ? smaller : !best_holds_ && (best_swings_ || error < best_error_) && std::isfinite(error)) {
+    Surface surface = problem.surface();
+    verify::SwingSites::Strays strays;
+    SwingReport report =
+        options_.sites->measure(surface, problem.errors(), options_.tolerance.value, &strays);
+    if (good && report.swings) {
+      held_but_swings_ = true;
+      if (least_squares && options_.energy && mend(problem, strays, surface, report, error)) {
+        least_squares = false;
+      } else {
+        good = false;
+        error = refused(report, options_.tolerance.value);
+      }
+    }
+    // Of two that swing, the error counts times the swing.
+    const double counted = error * (report.swings ? std::max(1.0, report.largest / 10) : 1);
+    if (good || (!best_holds_ && (report.swings != best_swings_ ? !report.swings : counted < best_error_))) {
+      best_ = problem.knots();
+      surface_ = std::move(surface);
+      best_holds_ = good;
+      best_swings_ = report.swings;
+      best_error_ = counted;
+      best_measured_ = good ? error : measured;
+      best_size_ = size;
+      least_squares_ = least_squares;
+    }
+  } else if (surface_.empty()) {  // nothing else yet
+    best_ = problem.knots();
+  }
+  if (!control_.progress) return error;
+  Progress progress;
+  progress.stage = stage_;
+  progress.tolerance = options_.tolerance.value;
+  if (!surface_.empty()) {
+    progress.error = best_measured_;
+    progress.size_u = static_cast<int>(surface_.size_u());
+    progress.size_v = static_cast<int>(surface_.size_v());
+  }
+  progress.fits = fits();
+  control_.progress(progress);
   return error;
 }
 
-void Attempts::offer(const FitProblem& problem, double error, bool least_squares) {
-  const Index size = problem.control_points();
-  const bool good = holds(error);
-  // A net far outside the data swings between the points: the last choice where none holds.
-  const bool tame = keeps_to(box_, problem.net());
-  const bool better = good
-                          ? (!best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_))
-                          : (!best_holds_ && (tame != best_tame_ ? tame : error < best_error_));
-  if (better) {
-    best_ = problem.knots();
-    surface_ = problem.surface();
-    best_holds_ = good;
-    best_tame_ = tame;
-    best_error_ = error;
-    best_size_ = size;
-    least_squares_ = least_squares;
+bool Attempts::mend(const FitProblem& problem, const verify::SwingSites::Strays& first, Surface& surface,
+                    SwingReport& report, double& error) {
+  if (mends_ == kMostMends) return false;
+  ++mends_;
+  verify::SwingSites::Strays strays = first;
+  ParameterizedPoints points = problem.points();
+  points.source.clear();
+  const double weight = points.weights.empty()
+                            ? 1
+                            : std::accumulate(points.weights.begin(), points.weights.end(), 0.0) /
+                                  static_cast<double>(points.size());
+  for (int round = 0; round < kMendRounds && !strays.uv.empty() && !stopped(); ++round) {
+    points.uv.insert(points.uv.end(), strays.uv.begin(), strays.uv.end());
+    points.values.insert(points.values.end(), strays.values.begin(), strays.values.end());
+    if (!points.weights.empty()) points.weights.resize(points.uv.size() / 2, weight);
+    FitProblem held(points, problem.degree_u(), problem.degree_v(), search_fits(options_));
+    held.scattered().count_first(data_.points().size());
+    ++mend_fits_;
+    if (!held.solve(problem.knots()) || !holds(held.measured(options_.tolerance))) return false;
+    strays = {};
+    const SwingReport again =
+        options_.sites->measure(held.surface(), held.errors(), options_.tolerance.value, &strays);
+    if (again.swings) continue;
+    surface = held.surface();
+    report = again;
+    error = held.measured(options_.tolerance);
+    return true;
   }
-  if (!control_.progress) return;
-  Progress progress;
-  progress.stage = stage_;
-  progress.error = best_error_;
-  progress.tolerance = options_.tolerance.value;
-  progress.size_u = static_cast<int>(problem.axis_u().functions());
-  progress.size_v = static_cast<int>(problem.axis_v().functions());
-  progress.fits = fits();
-  control_.progress(progress);
+  return false;
 }
 
 void Attempts::list(Index functions_u, Index functions_v, double error) {
@@ -112,6 +148,8 @@ bool Attempts::interrupted() {
   if (interruption_ != Status::not_run) return true;
   if (stopped())
     interruption_ = control_.stop.stop_requested() ? Status::stopped : Status::time_limit;
+  else if (held_but_swings_ && !options_.energy)
+    interruption_ = Status::swings;  // the search begins anew with the data energy
   else if (fits() >= max_fits_)
     interruption_ = Status::limit_reached;
   return interruption_ != Status::not_run;
@@ -123,15 +161,58 @@ RefineResult Attempts::finish(Status unmet) const {
   const bool cut = interruption_ == Status::stopped || interruption_ == Status::time_limit;
   result.status = cut                                ? interruption_
                   : best_holds_                      ? Status::reached
+                  : held_but_swings_                 ? Status::swings
                   : interruption_ != Status::not_run ? interruption_
                                                      : unmet;
   result.knots = best_;
   result.surface = surface_;
   result.least_squares = least_squares_;
-  result.error = best_error_;
+  result.swings = best_swings_;
+  result.holds = best_holds_;
+  result.error = best_measured_;
   result.fits = fits();
   result.tried = tried_;
   return result;
+}
+
+Control after(const RefineResult& earlier, const Control& control) {
+  if (!control.progress || earlier.surface.empty()) return control;
+  Control shown = control;
+  shown.progress = [&earlier, &control](const Progress& later) {
+    Progress progress = later;
+    const bool beaten = later.error >= 0 && later.error <= (earlier.holds ? later.tolerance : earlier.error);
+    if (!beaten) {
+      progress.error = earlier.error;
+      progress.size_u = static_cast<int>(earlier.surface.size_u());
+      progress.size_v = static_cast<int>(earlier.surface.size_v());
+    }
+    control.progress(progress);
+  };
+  return shown;
+}
+
+RefineResult better_of(RefineResult a, RefineResult b) {
+  auto better = [](const RefineResult& x, const RefineResult& y) {
+    if (x.surface.empty() || y.surface.empty()) return !x.surface.empty();
+    if (x.holds != y.holds) return x.holds;
+    if (x.holds) return x.surface.control_point_count() < y.surface.control_point_count();
+    if (x.swings != y.swings) return !x.swings;
+    return x.error < y.error;
+  };
+  auto cut = [](const RefineResult& r) {
+    return r.status == Status::stopped || r.status == Status::time_limit;
+  };
+  const Status cut_short = cut(b) ? b.status : cut(a) ? a.status : Status::not_run;
+  RefineResult& best = better(b, a) ? b : a;
+  const RefineResult& other = &best == &a ? b : a;
+  best.fits += other.fits;
+  best.tried.insert(best.tried.end(), other.tried.begin(), other.tried.end());
+  if (best.metric == InteriorKnots{}) best.metric = other.metric;
+  if (!best.holds) {
+    if (other.status == Status::swings) best.status = Status::swings;
+    if (cut_short != Status::not_run) best.status = cut_short;
+  }
+  return std::move(best);
 }
 
 NoisePlateau::NoisePlateau(double noise, Index points, int dimension)

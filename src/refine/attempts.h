@@ -5,6 +5,7 @@
 
 #include "fit/problem.h"
 #include "knotfit/refine.h"
+#include "verify/swings.h"
 namespace knotfit {
 
 class Attempts {
@@ -18,8 +19,9 @@ class Attempts {
 
   /// Fits on these knots and offers the result. \return the error that counts
   double fit(FitProblem& problem, const InteriorKnots& knots);
-  /// Keeps the surface the problem holds if it is the best so far.
-  void offer(const FitProblem& problem, double error, bool least_squares = true);
+  /// Keeps the surface the problem holds if it is the best so far. Every net that would be is asked whether it swings.
+  /// \return the error that counts: beyond the tolerance where a surface that holds it at the points swings between them
+  double offer(const FitProblem& problem, double error, bool least_squares = true);
   bool holds(double error) const { return error <= options_.tolerance.value; }
   /// A size is done with: listed in the result.
   void list(Index functions_u, Index functions_v, double error);
@@ -47,6 +49,10 @@ class Attempts {
   const InteriorKnots& best() const { return best_; }
 
  private:
+  /// A least-squares surface that holds at the points and swings at single places, held there by points of the data's own
+  /// range. \return false where that does not end the swings or costs the tolerance; else surface, report and error are anew
+  bool mend(const FitProblem& problem, const verify::SwingSites::Strays& strays, Surface& surface,
+            SwingReport& report, double& error);
   const FitProblem& data_;
   const RefineOptions& options_;
   const Control& control_;
@@ -58,12 +64,22 @@ class Attempts {
   Status interruption_ = Status::not_run;
   InteriorKnots best_;
   Surface surface_;
-  std::vector<double> box_;  ///< low and high of each component, enlarged by the data's diagonal
-  bool best_holds_ = false, best_tame_ = false, least_squares_ = true;
-  double best_error_;
+  bool best_holds_ = false, best_swings_ = true, least_squares_ = true;
+  bool held_but_swings_ = false;  ///< some surface held the tolerance at the points and was refused
+  double best_error_;             ///< what counts against others
+  double best_measured_ = 0;      ///< at the points
   Index best_size_ = 0;
+  int mends_ = 0;
+  long mend_fits_ = 0;
   std::vector<SizeTried> tried_;
 };
+
+/// Of two results the better, with the fits and sizes of both: the one that reached with fewer control points, else one that
+/// does not swing, else the least error. A stop or a time limit that cut either short stays the status where neither reached.
+RefineResult better_of(RefineResult a, RefineResult b);
+
+/// The control of a further route: its progress shows the best of an earlier one while that is better.
+Control after(const RefineResult& earlier, const Control& control);
 
 /// Default limit on control points: half the points; for scattered data at most 50 000, since their
 /// band matrix grows with the power 3/2.

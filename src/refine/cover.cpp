@@ -14,8 +14,7 @@ struct Node {
 
 /// Marks the nodes within `radius` of a point. Bands of grid rows go in parallel: each reads the points
 /// that reach it, found through the bins of the rows.
-std::vector<char> near_nodes(const verify::Neighbours& points, Index size, double radius,
-                             double border_radius) {
+std::vector<char> near_nodes(const Neighbours& points, Index size, double radius, double border_radius) {
   const double step = 1.0 / static_cast<double>(size);
   std::vector<char> near((size + 1) * (size + 1), 0);
   std::vector<std::vector<Index>> row(size + 1);
@@ -47,8 +46,7 @@ std::vector<char> near_nodes(const verify::Neighbours& points, Index size, doubl
 
 }  // namespace
 
-std::vector<std::array<double, 2>> cover_gaps(const verify::Neighbours& points, double radius,
-                                              double border_radius) {
+std::vector<std::array<double, 2>> cover_gaps(const Neighbours& points, double radius, double border_radius) {
   const double root = std::sqrt(static_cast<double>(points.size()));
   const Index size = std::max<Index>(1, static_cast<Index>(4 * root));
   const double reach = radius / root, border_reach = border_radius / root;

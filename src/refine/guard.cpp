@@ -28,9 +28,10 @@ double infinity() {
 
 }  // namespace
 
-Guard::Guard(const ParameterizedPoints& points, double tolerance, const InteriorKnots& metric,
+Guard::Guard(const ParameterizedPoints& points, double tolerance, double loose, const InteriorKnots& metric,
              std::function<bool()> stop)
     : tolerance_(tolerance),
+      loose_(loose),
       stop_(std::move(stop)),
       field_(points, tolerance, metric.u, metric.v, 1),
       points_(points),
@@ -138,7 +139,7 @@ Index Guard::exchange(FitProblem& problem) {
       const double r = values[k * d + e] - site.reference.value[e];
       square += r * r;
     }
-    if (std::sqrt(square) <= kJoin * slack(site) * tolerance_) continue;
+    if (std::sqrt(square) <= kJoin * slack(site) * loose_ * tolerance_) continue;
     join(site);
     ++count;
   }

@@ -7,9 +7,16 @@
 
 #include "knotfit/interior_knots.h"
 #include "knotfit/points.h"
+#include "knotfit/tolerance.h"
 #include "refine/minimax.h"
 #include "verify/reference_field.h"
 namespace knotfit {
+
+/// How far beyond its slack a place may be before it joins: a maximum is one at every place, a root mean square or a
+/// percentile is not.
+inline double guard_looseness(const Tolerance& tolerance) {
+  return tolerance.measure == ErrorMeasure::max ? 1 : 3;
+}
 
 /// References are expensive, so a place gets its own only where a net could go astray there: where the gap in
 /// the data is wide for the cell, or the cell holds few points. (Of all that a full cover found astray on
@@ -18,7 +25,8 @@ class Guard {
  public:
   /// \param metric  knots of the error model's fine stage
   /// \param stop    asked between batches; may be empty
-  Guard(const ParameterizedPoints& points, double tolerance, const InteriorKnots& metric,
+  /// \param loose  places join where the surface is beyond this many slack tolerances: 1 for a maximum
+  Guard(const ParameterizedPoints& points, double tolerance, double loose, const InteriorKnots& metric,
         std::function<bool()> stop);
 
   /// The data, then the points that joined it. Only the first data_count() are data.
@@ -51,7 +59,7 @@ class Guard {
   double slack(const Site& site) const;  ///< infinity: not held to the maximum
   void join(Site& site);
 
-  double tolerance_;
+  double tolerance_, loose_;
   std::function<bool()> stop_;
   verify::ReferenceField field_;
   ParameterizedPoints points_;

@@ -1,13 +1,17 @@
 // The paper's framework: isolines inserted where features or errors are large, all knots placed anew,
 // until the tolerance holds; then knots dropped while it still does [Zhang16; METHOD, "insertion"].
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
+#include "fit/data_energy.h"
 #include "fit/knot_loss.h"
+#include "fit/scattered.h"
 #include "place/error_model.h"
 #include "place/levenberg.h"
 #include "place/shares.h"
+#include "refine/guard.h"
 #include "refine/minimax.h"
 #include "refine/size_solver.h"
 namespace knotfit {
@@ -46,13 +50,20 @@ class Marginal {
 
 class Insertion {
  public:
-  Insertion(FitProblem& problem, const RefineOptions& options, const Control& control)
-      : attempts_(problem, options, control, 3000),
+  /// \param data     the points themselves
+  /// \param problem  what is fitted: the data, or scattered the guard's points, which begin with the data
+  Insertion(FitProblem& data, FitProblem& problem, Guard* guard, const RefineOptions& options,
+            const Control& control)
+      : attempts_(data, options, control, 3000),
+        data_(data),
+        guard_(guard),
+        options_(options),
         problem_(problem),
-        control_(control),
         context_(problem, placement_options(options), control),
-        optimal_(options.method == "optimal" && can_optimise_insertion(problem.points())),
-        plateau_(options.noise, problem.points().size(), problem.points().dimension) {}
+        optimal_(options.method == "optimal" && can_optimise_insertion(data.points())),
+        plateau_(options.noise, data.points().size(), data.points().dimension) {
+    if (&data != &problem) attempts_.count(problem);
+  }
 
   RefineResult run() {
     attempts_.set_stage("features");
@@ -61,7 +72,7 @@ class Insertion {
     const Status unmet = insert(geometry);
     if (attempts_.reached() && !attempts_.interrupted()) {
       prune();
-      if (optimal_) prune_moving();
+      if (optimal_ && movable(attempts_.best())) prune_moving();
     }
     RefineResult result = attempts_.finish(unmet);
     if (!optimal_) result.method = "insert";
@@ -87,7 +98,7 @@ class Insertion {
       if (attempts_.interrupted()) return attempts_.interruption();
       if (plateau_.add(problem_.control_points(), problem_.rms())) return Status::tolerance_below_noise;
       const std::vector<double> errors = problem_.errors();
-      const FeatureMap f = mixed(geometry, residual_features(problem_.points(), errors));
+      const FeatureMap f = mixed(geometry, residual_features(data_.points(), errors));
       const InteriorKnots inserted = with_isolines(problem_.knots(), f, errors);
       if (inserted == problem_.knots())
         return attempts_.own_limit() ? Status::limit_reached : Status::data_too_sparse;
@@ -103,15 +114,36 @@ class Insertion {
       };
       if (std::isfinite(error)) consider(knots_of_density(problem_, count_u, count_v));
       consider(by_criterion(f, count_u, count_v));
-      if (optimal_ && !attempts_.holds(error)) {
+      if (optimal_ && !attempts_.holds(error) && movable(best)) {
         InteriorKnots moved = best;
         minimize_over_knots(problem_, moved, levenberg(kStepsARound));
         consider(moved);
       }
       if (!(problem_.knots() == best)) problem_.solve(best);
+      error = hold_between(best, error);
       attempts_.list(problem_.axis_u().functions(), problem_.axis_v().functions(), error);
     }
     return Status::reached;
+  }
+
+  /// A surface that holds at the points and was refused between them: the places where it is off join the points, and
+  /// the same knots are fitted again.
+  double hold_between(const InteriorKnots& knots, double error) {
+    for (int round = 0; round < 4 && guard_ && !attempts_.holds(error) && !attempts_.interrupted() &&
+                        attempts_.holds(problem_.measured(attempts_.tolerance()));
+         ++round) {
+      if (guard_->exchange(problem_) == 0) break;
+      problem_.take_new_points();
+      problem_.scattered().set_weights(guard_->shares(problem_).base);
+      error = attempts_.fit(problem_, knots);
+    }
+    return error;
+  }
+
+  /// Nets whose fit is too much work are not optimised: a step of their knots takes many fits' time.
+  bool movable(const InteriorKnots& k) const {
+    return problem_.work(static_cast<Index>(k.u.size()) + problem_.degree_u() + 1,
+                         static_cast<Index>(k.v.size()) + problem_.degree_v() + 1) <= kMostWork;
   }
 
   bool allowed(const InteriorKnots& k) const {
@@ -144,12 +176,18 @@ class Insertion {
     return map;
   }
 
+  /// A span below it is not cut: it is too short, or the data would not see its halves.
+  double least_span(double low, double length, bool v) const {
+    return options_.energy ? std::max(kLeastSpan, options_.energy->finest_spacing(low, low + length, v))
+                           : kLeastSpan;
+  }
+
   /// Isolines in the spans of both directions with the largest shares of the squared excess over the
   /// tolerance: at most a fifth of the knots, at least one.
   InteriorKnots with_isolines(InteriorKnots knots, const FeatureMap& f,
                               const std::vector<double>& errors) const {
     const double tolerance = attempts_.tolerance().value;
-    const ParameterizedPoints& points = problem_.points();
+    const ParameterizedPoints& points = data_.points();
     std::vector<double> excess_u(problem_.axis_u().spans(), 0.0), excess_v(problem_.axis_v().spans(), 0.0);
     for (Index k = 0; k < points.size(); ++k) {
       if (!(errors[k] > tolerance)) continue;
@@ -165,7 +203,8 @@ class Insertion {
     std::vector<Span> order;
     auto gather = [&](const Axis& axis, const std::vector<double>& excess, bool v) {
       for (Index s = 0; s < axis.spans(); ++s)
-        if (excess[s] > 0 && axis.length(s) > kLeastSpan) order.push_back({excess[s], v, s});
+        if (excess[s] > 0 && axis.length(s) > least_span(axis.low(s), axis.length(s), v))
+          order.push_back({excess[s], v, s});
     };
     gather(problem_.axis_u(), excess_u, false);
     gather(problem_.axis_v(), excess_v, true);
@@ -256,19 +295,19 @@ class Insertion {
         minimize_over_knots(problem_, fewer, levenberg(40));
         double error = problem_.measured(attempts_.tolerance());
         bool squares = true;
+        const PointShares shares = guard_ ? guard_->shares(problem_) : PointShares{};
         if (minimax && !attempts_.holds(error) && error < kMinimaxReach * attempts_.tolerance().value) {
           MinimaxOptions options;
           options.enough = attempts_.tolerance().value;
           options.patience = 1;
           options.stop = [this] { return attempts_.stopped(); };
-          const NetState state = minimize_maximum(problem_, {}, options);
+          const NetState state = minimize_maximum(problem_, shares, options);
           fewer = state.knots;
           error = state.max;
           squares = false;
         }
         attempts_.list(problem_.axis_u().functions(), problem_.axis_v().functions(), error);
-        if (!attempts_.holds(error)) continue;
-        attempts_.offer(problem_, error, squares);
+        if (!attempts_.holds(error) || !attempts_.holds(attempts_.offer(problem_, error, squares))) continue;
         knots = fewer;
         dropped = true;
         break;
@@ -284,13 +323,16 @@ class Insertion {
     return options;
   }
 
+  static constexpr double kMostWork = 1e9;  ///< operations of a fit
   static constexpr double kPruneWork = 6e10;
   static constexpr int kStepsARound = 8;        ///< of all knots, after isolines were inserted
   static constexpr double kMinimaxReach = 2.5;  ///< what minimax may gain
 
   Attempts attempts_;
+  FitProblem& data_;
+  Guard* guard_;  ///< or null
+  const RefineOptions& options_;
   FitProblem& problem_;
-  const Control& control_;
   PlacementContext context_;
   bool optimal_;  ///< knots move to where the error is least
   NoisePlateau plateau_;
@@ -302,8 +344,24 @@ bool can_optimise_insertion(const ParameterizedPoints& points) {
   return points.size() * points.dimension <= 200'000;
 }
 
-RefineResult insert_isolines(FitProblem& problem, const RefineOptions& options, const Control& control) {
-  return Insertion(problem, options, control).run();
+RefineResult insert_isolines(FitProblem& data, const RefineOptions& options, const Control& control) {
+  const bool optimal = options.method == "optimal" && can_optimise_insertion(data.points());
+  if (!optimal) return Insertion(data, data, nullptr, options, control).run();
+  const auto start = std::chrono::steady_clock::now();
+  const LeastSquaresOptions fit = search_fits(options);
+  FitProblem plain(data.points(), options.degree_u, options.degree_v, fit);
+  if (!options.guard) return Insertion(data, plain, nullptr, options, control).run();
+  const InteriorKnots metric =
+      PlacementContext(plain, placement_options(options), control).fine_model().knots;
+  Guard guard(data.points(), options.tolerance.value, guard_looseness(options.tolerance), metric,
+              [&] { return control.stop.stop_requested() || out_of_time(control, start); });
+  FitProblem guarded(guard.points(), options.degree_u, options.degree_v, fit);
+  guarded.scattered().count_first(data.points().size());
+  RefineResult result = Insertion(data, guarded, &guard, options, time_left(control, start)).run();
+  result.fits += plain.fits();
+  result.fill_points = guard.fill_count();
+  if (result.fill_points > 0) result.least_squares = false;
+  return result;
 }
 
 }  // namespace knotfit

@@ -15,8 +15,10 @@ constexpr long kFits[] = {2000, 12000, 80000};  // fast, balanced, best
 constexpr double kWork[] = {1e11, 5e11, 4e12};  // operations a search may take
 constexpr double kLeastSaving = 0.1;            // below it, optimising is not worth its time
 constexpr double kLeastThoroughSaving =
-    0.2;                              // what a second, thorough look must see after a first that saw little
-constexpr double kLittleWork = 2e10;  // seconds: then even a small saving is worth it
+    0.2;                               // what a second, thorough look must see after a first that saw little
+constexpr double kLittleWork = 2e10;   // seconds: then even a small saving is worth it
+constexpr double kMuchWork = 2e10;     // of the last sizes alone: half a minute
+constexpr double kInsertionReach = 3;  // tolerances from which inserted lines may still come to it
 constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the work
 
 /// Knots of the error model instead, with the reason. Where they hold the tolerance at no size, knot lines inserted
@@ -29,16 +31,22 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
   RefineResult result = search_placed(data, placed, control);
   result.method = placed.method;
   result.notes.push_back(reason + "; the knots come from the error model");
-  const bool failed = result.status == Status::limit_reached || result.status == Status::data_too_sparse;
-  if (!failed || !can_optimise_insertion(data.points())) return result;
-  if (out_of_time(control, start)) return result;
-  RefineResult inserted = insert_isolines(data, options, time_left(control, start));
-  if (inserted.status != Status::reached) return result;
+  const bool failed = !result.holds && result.error <= kInsertionReach * options.tolerance.value;
+  if (!(failed || result.status == Status::reached) || !can_optimise_insertion(data.points())) return result;
+  if (control.stop.stop_requested() || out_of_time(control, start)) return result;
+  RefineOptions inserting = options;
+  if (result.holds)  // it begins too large and drops knots at last
+    inserting.max_control_points =
+        std::min<Index>(options.max_control_points > 0 ? options.max_control_points : data.points().size(),
+                        result.surface.control_point_count() * 5 / 4);
+  RefineResult inserted = insert_isolines(data, inserting, time_left(after(result, control), start));
   inserted.method = options.method;
-  inserted.fits += result.fits;
   inserted.notes.push_back(
-      reason + "; the error model's knots held the tolerance at no size, and knot lines were inserted");
-  return inserted;
+      reason +
+      (result.holds
+           ? "; knot lines inserted where the errors are need fewer than the error model's knots"
+           : "; the error model's knots held the tolerance at no size, and knot lines were inserted"));
+  return better_of(std::move(result), std::move(inserted));
 }
 
 }  // namespace
@@ -78,13 +86,10 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   std::optional<Guard> guard;
   if (options.guard && !attempts.stopped()) {
     attempts.set_stage("reference");
-    guard.emplace(data.points(), options.tolerance.value, fine.knots, [&] { return attempts.stopped(); });
+    guard.emplace(data.points(), options.tolerance.value, guard_looseness(options.tolerance), fine.knots,
+                  [&] { return attempts.stopped(); });
   }
-  LeastSquaresOptions fit;
-  fit.smoothing = options.smoothing;
-  fit.refinement_steps = 0;
-  fit.estimate_condition = false;
-  fit.use_grid = false;
+  const LeastSquaresOptions fit = search_fits(options);
   FitProblem problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);
   problem.scattered().count_first(data.points().size());
   attempts.count(problem);
@@ -92,16 +97,17 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   context.set_fine_model(fine);
   OptimizedSizes solver(problem, context, guard ? &*guard : nullptr, attempts, options);
   NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
-  // The other route as a start. (At balanced effort it saves a third on the ridge and costs as much on peaks.)
+  // The other route as a start: at effort best, and where sizes that grow to the tolerance would cost more. (At balanced effort
+  // it saves a third on the ridge and costs as much on peaks.)
   std::optional<Spans> first;
-  std::optional<FitProblem> inserted;
-  if (options.effort == Effort::best && can_optimise_insertion(data.points()) && !attempts.stopped()) {
-    inserted.emplace(data.points(), options.degree_u, options.degree_v, fit);
-    attempts.count(*inserted);
+  std::optional<RefineResult> inserted;
+  const bool from_inserted =
+      options.effort == Effort::best || (options.effort == Effort::balanced && work > kMuchWork);
+  if (from_inserted && can_optimise_insertion(data.points()) && !attempts.stopped()) {
     RefineOptions quick = options;
     quick.max_fits = kFits[0];
-    const RefineResult found = insert_isolines(*inserted, quick, attempts.time_left());
-    if (found.status == Status::reached) first = solver.seed(found.knots);
+    inserted = insert_isolines(data, quick, attempts.time_left());
+    if (inserted->status == Status::reached) first = solver.seed(inserted->knots);
   }
   const Status unmet = search_sizes(data, fine, solver, attempts, plateau, first);
   RefineResult result = attempts.finish(unmet);
@@ -110,7 +116,13 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     result.fill_points = guard->fill_count();
     result.least_squares = false;  // not of the data alone
   }
-  return result;
+  // The other route, where this one found nothing: it may, and the better of both is the best.
+  if (!inserted && !result.holds && result.error <= kInsertionReach * options.tolerance.value &&
+      can_optimise_insertion(data.points()) && !attempts.stopped())
+    inserted = insert_isolines(data, options, after(result, attempts.time_left()));
+  if (!inserted) return result;
+  inserted->method = options.method;
+  return better_of(std::move(result), std::move(*inserted));
 }
 
 }  // namespace knotfit

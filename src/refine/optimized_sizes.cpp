@@ -180,8 +180,8 @@ const SizeOutcome& OptimizedSizes::place_only(const Spans& spans, Entry& entry) 
   problem_.solve(entry.knots);
   entry.outcome.error = entry.outcome.least_squares_error = measured();
   entry.outcome.rms = problem_.rms();
+  entry.outcome.error = attempts_.offer(problem_, entry.outcome.error);
   entry.outcome.holds = attempts_.holds(entry.outcome.error);
-  attempts_.offer(problem_, entry.outcome.error);
   attempts_.list(spans.first + problem_.degree_u(), spans.second + problem_.degree_v(), entry.outcome.error);
   return entry.outcome;
 }
@@ -239,22 +239,29 @@ void OptimizedSizes::finish(Entry& entry, Start& start) {
     }
   }
   // A surface that holds answers to all places between the data where it could go astray.
-  for (int round = 0; round < 4 && guard_ && to_maximum_ && error <= tolerance; ++round) {
+  for (int round = 0; round < 4 && guard_ && error <= tolerance; ++round) {
     problem_.evaluate(state.knots, state.net);
     if (guard_->exchange(problem_) == 0) break;
     take_new_points();
     problem_.factor(state.knots);
     problem_.evaluate(state.knots, state.net);
     state.residual = problem_.scattered().residual();
-    error = state.max = largest_error(problem_, shares_);
-    if (error > tolerance && minimax) improve();
+    if (to_maximum_) {
+      error = state.max = largest_error(problem_, shares_);
+      if (error > tolerance && minimax) improve();
+    } else {
+      InteriorKnots knots = state.knots;
+      minimize_over_knots(problem_, knots, levenberg_);
+      error = measured();
+      state = state_of(problem_, shares_);
+    }
   }
   problem_.evaluate(state.knots, state.net);
   if (error < entry.outcome.error) {
-    entry.outcome.error = error;
     entry.minimax = state.knots;
+    error = attempts_.offer(problem_, error, least_squares);
+    entry.outcome.error = std::min(entry.outcome.error, error);
     entry.outcome.holds = attempts_.holds(error);
-    attempts_.offer(problem_, error, least_squares);
   }
 }
 

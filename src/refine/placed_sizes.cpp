@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 #include "refine/size_solver.h"
@@ -20,7 +21,8 @@ class PlacedSizes final : public SizeSolver {
     context_.options().rounds = static_cast<int>(std::clamp(3e10 / problem_.work(nu, nv), 2.0, 12.0));
     const Placement placement = place_(context_, spans.first - 1, spans.second - 1);
     SizeOutcome& outcome = seen_[spans];
-    outcome.error = outcome.least_squares_error = attempts_.fit(problem_, placement.knots);
+    outcome.error = attempts_.fit(problem_, placement.knots);
+    outcome.least_squares_error = problem_.measured(attempts_.tolerance());
     outcome.rms = problem_.rms();
     outcome.holds = attempts_.holds(outcome.error);
     outcome.tries = 1;
@@ -61,6 +63,7 @@ PlacementOptions placement_options(const RefineOptions& o) {
   placement.feature = o.feature;
   placement.user_features = o.user_features;
   placement.evaluations = o.evaluations;
+  placement.energy = o.energy;
   placement.keep_by = o.tolerance;
   return placement;
 }
@@ -70,7 +73,9 @@ std::unique_ptr<SizeSolver> placed_sizes(FitProblem& problem, PlacementContext& 
   return std::make_unique<PlacedSizes>(problem, context, attempts, options);
 }
 
-RefineResult search_placed(FitProblem& data, const RefineOptions& options, const Control& control) {
+namespace {
+
+RefineResult search_with(FitProblem& data, const RefineOptions& options, const Control& control) {
   Attempts attempts(data, options, control, 3000);
   PlacementContext context(data, placement_options(options), control);
   NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
@@ -82,6 +87,24 @@ RefineResult search_placed(FitProblem& data, const RefineOptions& options, const
   result.metric = fine.knots;
   result.notes.insert(result.notes.end(), context.notes().begin(), context.notes().end());
   return result;
+}
+
+}  // namespace
+
+// Knots that a method places do not seek places that no point sees, and plain least squares come nearer to the points: the data
+// energy joins where a net swings.
+RefineResult search_placed(FitProblem& data, const RefineOptions& options, const Control& control) {
+  const auto start = std::chrono::steady_clock::now();
+  RefineOptions plain = options;
+  plain.energy = nullptr;
+  LeastSquaresOptions fit = search_fits(plain);
+  fit.use_grid = true;
+  FitProblem free(data.points(), options.degree_u, options.degree_v, fit);
+  RefineResult result = search_with(free, plain, control);
+  if (!result.swings && result.status != Status::swings) return result;
+  if (control.stop.stop_requested() || out_of_time(control, start)) return result;
+  RefineResult held = search_with(data, options, time_left(after(result, control), start));
+  return better_of(std::move(result), std::move(held));
 }
 
 }  // namespace knotfit

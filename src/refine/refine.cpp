@@ -6,10 +6,40 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/data_energy.h"
+#include "fit/problem.h"
 #include "knotfit/errors.h"
 #include "place/context.h"
 #include "refine/size_solver.h"
+#include "verify/swings.h"
 namespace knotfit {
+namespace {
+
+constexpr Index kSwingPlaces = 20000;  // a search asks of every net that would become the best
+
+/// A best surface that swings, held to the data by an energy for errors of its own size: better than none.
+void hold(RefineResult& result, const ParameterizedPoints& points, const RefineOptions& options) {
+  LeastSquaresOptions fit = search_fits(options);
+  FitProblem problem(points, options.degree_u, options.degree_v, fit);
+  if (!problem.solve(result.knots)) return;
+  fit.energy = make_data_energy(points, std::max(problem.rms(), energy_scale(options.tolerance)));
+  FitProblem held(points, options.degree_u, options.degree_v, fit);
+  result.fits += 2;
+  if (!held.solve(result.knots)) return;
+  const SwingReport report = options.sites->measure(held.surface(), held.errors(), options.tolerance.value);
+  if (report.swings) return;
+  result.surface = held.surface();
+  result.error = held.measured(options.tolerance);
+  result.swings = false;
+  result.least_squares = false;
+}
+
+}  // namespace
+
+double energy_scale(const Tolerance& tolerance) {
+  // A root mean square lets single errors be larger: three times it is what most of them stay below.
+  return (tolerance.measure == ErrorMeasure::rms ? 3 : 1) * tolerance.value;
+}
 
 std::string_view to_string(Status status) {
   switch (status) {
@@ -25,6 +55,8 @@ std::string_view to_string(Status status) {
       return "data_too_sparse";
     case Status::tolerance_below_noise:
       return "tolerance_below_noise";
+    case Status::swings:
+      return "swings";
     case Status::folded:
       return "folded";
     case Status::limit_reached:
@@ -61,22 +93,31 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
         fmt::format("at most {} control points are fewer than the {} of one patch of degree {}x{}",
                     options.max_control_points, minimum, options.degree_u, options.degree_v));
   find_method(options.method);
+  RefineOptions whole = options;
+  if (!whole.energy) whole.energy = make_data_energy(points, energy_scale(options.tolerance));
+  if (!whole.sites) whole.sites = std::make_shared<verify::SwingSites>(points, kSwingPlaces);
+  LeastSquaresOptions fit = search_fits(whole);
+  fit.use_grid = true;
+  FitProblem problem(points, options.degree_u, options.degree_v, fit);
+  RefineResult result;
+  if (options.route == RefineRoute::insert)
+    result = insert_isolines(problem, whole, control);
+  else
+    result = options.method == "optimal" ? search_optimal(problem, whole, control)
+                                         : search_placed(problem, whole, control);
+  if (result.method.empty()) result.method = options.method;
+  if (result.swings && !result.surface.empty() && !control.stop.stop_requested()) hold(result, points, whole);
+  return result;
+}
+
+LeastSquaresOptions search_fits(const RefineOptions& options) {
   LeastSquaresOptions fit;
   fit.smoothing = options.smoothing;
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
-  const bool optimal = options.method == "optimal";
-  // Knots move on scattered points only: the grid's own factor knows nothing of them.
-  const bool insert = options.route == RefineRoute::insert;
-  fit.use_grid = !(insert && optimal && can_optimise_insertion(points));
-  FitProblem problem(points, options.degree_u, options.degree_v, fit);
-  RefineResult result;
-  if (insert)
-    result = insert_isolines(problem, options, control);
-  else
-    result = optimal ? search_optimal(problem, options, control) : search_placed(problem, options, control);
-  if (result.method.empty()) result.method = options.method;
-  return result;
+  fit.use_grid = false;  // knots move
+  fit.energy = options.energy;
+  return fit;
 }
 
 }  // namespace knotfit

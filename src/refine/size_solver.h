@@ -49,6 +49,9 @@ PlacementOptions placement_options(const RefineOptions& options);
 std::unique_ptr<SizeSolver> placed_sizes(FitProblem& problem, PlacementContext& context, Attempts& attempts,
                                          const RefineOptions& options);
 
+/// The fits of a search whose knots move: on scattered points, without refinement steps, with the data energy.
+LeastSquaresOptions search_fits(const RefineOptions& options);
+
 /// Runs a solver from small sizes up, and down again. \return the status where the tolerance is not reached
 /// \param first  a size that may hold, tried before all others; sizes do not grow from small ones if it does
 Status search_sizes(FitProblem& data, const FineModel& fine, SizeSolver& solver, Attempts& attempts,

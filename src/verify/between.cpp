@@ -89,8 +89,8 @@ bool higher(const Candidate& a, const Candidate& b) {
 }
 
 void count_in(BetweenReport& report, const Place& place, double distance, double bound) {
-  report.bound = std::max(report.bound, bound);
-  if (report.promised > 0 && distance <= report.between) return;
+  report.bound = std::max(report.bound.value_or(bound), bound);
+  if (report.between && distance <= *report.between) return;
   report.between = distance;
   report.worst_u = place[0], report.worst_v = place[1];
 }

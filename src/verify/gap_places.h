@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "verify/neighbours.h"
+#include "data/neighbours.h"
 namespace knotfit::verify {
 
 /// Places in [0,1]^2 far from all points, in units of the local spacing; each is the candidate farthest from the

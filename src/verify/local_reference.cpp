@@ -92,8 +92,4 @@ ReferenceValue combine(ReferenceValue plain, const ReferenceValue& mapped) {
   return plain;
 }
 
-Neighbours plain_neighbours(const DistinctPoints& points) {
-  return {points.u, points.v, points.strip_start};
-}
-
 }  // namespace knotfit::verify

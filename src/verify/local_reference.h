@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "verify/distinct_points.h"
+#include "data/distinct_points.h"
 #include "verify/kriging.h"
-#include "verify/neighbours.h"
+#include "data/neighbours.h"
 namespace knotfit::verify {
 
 /// Points and degree of a stencil: kernel r^(2 degree + 1), k nearest points.
@@ -64,8 +64,5 @@ ReferenceValue combine(ReferenceValue plain, const ReferenceValue& mapped);
 /// Noise by the median over `stencils` random points; 0 where there are too few points to tell.
 double find_noise(const DistinctPoints& points, const Neighbours& neighbours, unsigned long long seed,
                   Index stencils = 100);
-
-/// Neighbours in the parameters themselves.
-Neighbours plain_neighbours(const DistinctPoints& points);
 
 }  // namespace knotfit::verify

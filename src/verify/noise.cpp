@@ -32,8 +32,8 @@ double find_noise(const DistinctPoints& points, const Neighbours& neighbours, un
 
 double estimate_noise(const ParameterizedPoints& points, unsigned long long seed) {
   validate(points);
-  const verify::DistinctPoints distinct = verify::distinct_points(points);
-  return verify::find_noise(distinct, verify::plain_neighbours(distinct), seed);
+  const DistinctPoints distinct = distinct_points(points);
+  return verify::find_noise(distinct, plain_neighbours(distinct), seed);
 }
 
 }  // namespace knotfit

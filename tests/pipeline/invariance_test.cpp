@@ -29,7 +29,7 @@ TEST(Pipeline, ScalingByPowersOfTwoScalesEveryBit) {
       ASSERT_EQ(scaled.surface.net()[k], std::ldexp(one.surface.net()[k], power));
     EXPECT_EQ(scaled.error.max, std::ldexp(one.error.max, power));
     EXPECT_EQ(scaled.diagonal, std::ldexp(one.diagonal, power));
-    EXPECT_EQ(scaled.between.between, std::ldexp(one.between.between, power));
+    EXPECT_EQ(scaled.between.between, std::ldexp(one.between.between.value(), power));
     EXPECT_EQ(scaled.fits, one.fits);
   }
 }

@@ -175,15 +175,15 @@ TEST(Results, MeasureBetweenTheDataUnlessSwitchedOff) {
   const FitResult r = fit_surface(points, options);
   ASSERT_TRUE(r.between.measured);
   EXPECT_GT(r.between.promised, 0);
-  EXPECT_GE(r.between.bound, r.between.between);
-  EXPECT_GT(r.between.between, 0);
+  EXPECT_GE(r.between.bound.value(), r.between.between.value());
+  EXPECT_GT(r.between.between.value(), 0);
   // The truth at fresh places is within the bound there [METHOD 4: at most 1.05 of it].
   double most = 0;
   for (double u = 0.05; u < 1; u += 0.05)
     for (double v = 0.05; v < 1; v += 0.05)
       most =
           std::max(most, std::abs(static_cast<double>(reference_value(r.surface, u, v)[0]) - franke(u, v)));
-  EXPECT_LE(most, 1.2 * std::max(r.between.bound, r.tolerance));
+  EXPECT_LE(most, 1.2 * std::max(r.between.bound.value(), r.tolerance));
   FitOptions fixed = at_size(8, 8);
   fixed.between = true;
   EXPECT_TRUE(fit_surface(points, fixed).between.measured);
@@ -198,8 +198,8 @@ TEST(Results, BetweenTheDataIsInTheUnitOfTheData) {
   for (double& x : points.values) x = 1000 * x + 5e5;
   options.tolerance->value = 10;
   const FitResult big = fit_surface(points, options);
-  EXPECT_NEAR(big.between.between, 1000 * one.between.between, 1);
-  EXPECT_NEAR(big.between.bound, 1000 * one.between.bound, 1);
+  EXPECT_NEAR(big.between.between.value(), 1000 * one.between.between.value(), 1);
+  EXPECT_NEAR(big.between.bound.value(), 1000 * one.between.bound.value(), 1);
   EXPECT_NEAR(big.between.thin, one.between.thin, 0.01);
 }
 

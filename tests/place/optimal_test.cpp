@@ -100,7 +100,8 @@ TEST(Relocation, OneKnotAtMorePeaksOfTheGainLeadsFurther) {
   int further = 0;
   for (const std::string& name : synthetic_names())
     for (const int count : {6, 10}) {
-      FitProblem problem(synthetic_points(name, 3000), 3, 3, for_knots());
+      const ParameterizedPoints points = synthetic_points(name, 3000);
+      FitProblem problem(points, 3, 3, for_knots());
       InteriorKnots knots{uniform_knots(count), uniform_knots(count)};
       double phi = minimize_over_knots(problem, knots);
       phi = relocate_knots(problem, knots, phi, {});

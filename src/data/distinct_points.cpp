@@ -1,11 +1,11 @@
-#include "verify/distinct_points.h"
+#include "data/distinct_points.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
 
 #include "base/parallel.h"
-namespace knotfit::verify {
+namespace knotfit {
 namespace {
 
 constexpr Index kStripPoints = 16384;  // points a strip, about: small enough to share out
@@ -77,6 +77,7 @@ DistinctPoints distinct_points(const ParameterizedPoints& points) {
   const auto size = static_cast<std::size_t>(result.strip_start.back());
   result.u.resize(size), result.v.resize(size);
   result.values.resize(size * static_cast<std::size_t>(points.dimension));
+  result.of.resize(static_cast<std::size_t>(n));
   const bool weighted = !points.weights.empty() || size != static_cast<std::size_t>(n);
   if (weighted) result.weights.resize(size);
   const double mean_weight =
@@ -89,6 +90,7 @@ DistinctPoints distinct_points(const ParameterizedPoints& points) {
     Index to = result.strip_start[s];
     for (Index i = start[s], j; i < start[s + 1]; i = j, ++to) {
       for (j = i + 1; j < start[s + 1] && same(i, j);) ++j;
+      for (Index q = i; q < j; ++q) result.of[sorted[q].k] = static_cast<std::uint32_t>(to);
       const std::span<const Keyed> group(sorted.data() + i, static_cast<std::size_t>(j - i));
       result.u[to] = sorted[i].u, result.v[to] = sorted[i].v;
       double* value = result.values.data() + to * points.dimension;
@@ -106,4 +108,4 @@ DistinctPoints distinct_points(const ParameterizedPoints& points) {
   return result;
 }
 
-}  // namespace knotfit::verify
+}  // namespace knotfit

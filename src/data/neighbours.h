@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "knotfit/index.h"
-namespace knotfit::verify {
+#include "data/distinct_points.h"
+namespace knotfit {
 
 /// Strips are built at the same time, and a search leaves out those farther than what it has.
 class Neighbours {
@@ -32,4 +32,7 @@ class Neighbours {
   std::vector<std::unique_ptr<Strip>> strips_;
 };
 
-}  // namespace knotfit::verify
+/// Neighbours in the parameters themselves.
+Neighbours plain_neighbours(const DistinctPoints& points);
+
+}  // namespace knotfit

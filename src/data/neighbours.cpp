@@ -1,11 +1,11 @@
-#include "verify/neighbours.h"
+#include "data/neighbours.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
 
 #include "base/parallel.h"
-namespace knotfit::verify {
+namespace knotfit {
 namespace {
 
 constexpr std::size_t kLeaf = 16;  // points a leaf
@@ -105,4 +105,8 @@ double Neighbours::gap(double x, double y) const {
   return std::sqrt(squared);
 }
 
-}  // namespace knotfit::verify
+Neighbours plain_neighbours(const DistinctPoints& points) {
+  return {points.u, points.v, points.strip_start};
+}
+
+}  // namespace knotfit

@@ -1,15 +1,13 @@
-#include "verify/neighbours.h"
+#include "data/neighbours.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "data/distinct_points.h"
 #include "support/synthetic.h"
-#include "verify/distinct_points.h"
-#include "verify/local_reference.h"
-#include "verify/net_coordinates.h"
-namespace knotfit::verify {
+namespace knotfit {
 namespace {
 
 std::vector<double> brute_force(const DistinctPoints& points, double u, double v, std::size_t k) {
@@ -58,24 +56,5 @@ TEST(Neighbours, OfGridsRowsAndClustersToo) {
   for (const ParameterizedPoints& points : {grid, rows, cluster}) expect_nearest(points, 60);
 }
 
-TEST(NetCoordinate, GrowsFromZeroToItsShareOfTheLargerCount) {
-  const std::vector<double> knots = {0.28, 0.29, 0.3, 0.31, 0.5};
-  const NetCoordinate xi(knots, net_scale(9));
-  EXPECT_EQ(xi(0), 0);
-  EXPECT_NEAR(xi(1), 8.0 / 12, 1e-15);
-  double before = -1;
-  for (int i = 0; i <= 1000; ++i) {
-    EXPECT_GT(xi(i / 1000.0), before);
-    before = xi(i / 1000.0);
-  }
-  // Close knots stretch: a step of 0.01 there is wider than one far from them.
-  EXPECT_GT(xi(0.3) - xi(0.29), 5 * (xi(0.9) - xi(0.89)));
-}
-
-TEST(NetCoordinate, WithoutKnotsIsTheParameter) {
-  const NetCoordinate xi({}, net_scale(0));
-  for (double u : {0.0, 0.1, 0.5, 0.77, 1.0}) EXPECT_NEAR(xi(u), u, 1e-15);
-}
-
 }  // namespace
-}  // namespace knotfit::verify
+}  // namespace knotfit

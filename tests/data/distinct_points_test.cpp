@@ -1,4 +1,4 @@
-#include "verify/distinct_points.h"
+#include "data/distinct_points.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "support/synthetic.h"
 #include "support/two_threads.h"
-namespace knotfit::verify {
+namespace knotfit {
 namespace {
 
 // Many points on few parameters, by a map.
@@ -35,6 +35,11 @@ TEST(DistinctPoints, AreTheWeightedMeansOfAMap) {
     }
     const DistinctPoints found = distinct_points(points);
     ASSERT_EQ(found.size(), static_cast<Index>(expected.size()));
+    ASSERT_EQ(found.of.size(), static_cast<std::size_t>(n));
+    for (Index i = 0; i < n; ++i) {
+      EXPECT_EQ(found.u[found.of[i]], points.u(i));
+      EXPECT_EQ(found.v[found.of[i]], points.v(i));
+    }
     Index k = 0;
     for (const auto& [uv, s] : expected) {  // a map is sorted by (u, v) too
       EXPECT_EQ(found.u[k], uv.first);
@@ -85,4 +90,4 @@ TEST(DistinctPoints, SameBitsForOneAndTwoThreads) {
 }
 
 }  // namespace
-}  // namespace knotfit::verify
+}  // namespace knotfit

@@ -1,0 +1,77 @@
+#include "pipeline/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "knotfit/errors.h"
+#include "pipeline/message.h"
+namespace knotfit {
+namespace {
+
+constexpr const char* kRemedies =
+    "parameters that fit the points better (--correct), more data there, a smoother surface (--smoothing) or "
+    "a larger "
+    "tolerance help";
+
+std::string place_text(const ParameterMap& map, double u, double v) {
+  const auto [a, b] = map.from_uv(u, v);
+  return fmt::format("{} = {:.9g}, {} = {:.9g}", map.name_u, a, map.name_v, b);
+}
+
+}  // namespace
+
+void judge(FitResult& result, const ParameterizedPoints& points, Status searched, bool with_tolerance,
+           bool search) {
+  result.error = summarize_errors(result.errors, points);
+  if (!with_tolerance) {
+    result.measured = result.error.max;
+    result.status = searched;
+    return;
+  }
+  result.measured = measured_error(result.errors, result.asked);
+  const bool holds = result.measured <= result.tolerance;
+  result.reached = holds && !result.swings.swings;
+  const bool cut = searched == Status::stopped || searched == Status::time_limit;
+  result.status = cut                                     ? searched
+                  : holds && result.swings.swings         ? Status::swings
+                  : result.reached                        ? Status::reached
+                  : search && searched != Status::reached ? searched
+                                                          : Status::not_reached;
+}
+
+void judge_all_points(FitResult& result, const std::vector<double>& errors) {
+  if (result.surface.empty() || result.status == Status::failed) return;
+  if (errors.size() < result.errors.size())
+    throw InvalidInput(
+        fmt::format("{} errors of all points, though {} were fitted", errors.size(), result.errors.size()));
+  for (const double e : errors)
+    if (!(e >= 0) || !std::isfinite(e))
+      throw InvalidInput(fmt::format("an error of {}: it must be finite and not negative", e));
+  result.left_out = static_cast<Index>(errors.size() - result.errors.size());
+  if (result.left_out == 0) return;
+  result.all_max = *std::max_element(errors.begin(), errors.end());
+  if (result.tolerance > 0) {
+    result.measured = measured_error(errors, result.asked);
+    result.reached = result.reached && result.measured <= result.tolerance;
+    if (result.status == Status::reached && !result.reached) result.status = Status::not_reached;
+  }
+  result.message = message_of(result, static_cast<Index>(result.errors.size()));
+}
+
+void note_swings(FitResult& result) {
+  const SwingReport& s = result.swings;
+  if (!s.swings) return;
+  std::string note = "the surface swings between the points";
+  if (s.largest > 3)
+    note += fmt::format(": at {} it leaves the range of the points about by {:.3g}, {:.3g} times {}",
+                        place_text(result.map, s.worst_u, s.worst_v), s.distance, s.largest,
+                        s.in_gap ? "what such a gap allows" : "the larger of the tolerance and their errors");
+  if (s.beyond_box > 0.02 * result.diagonal)
+    note += fmt::format("{} at {} it leaves the box of all data by {:.3g}", s.largest > 3 ? ", and" : ":",
+                        place_text(result.map, s.box_u, s.box_v), s.beyond_box);
+  result.notes.insert(result.notes.begin(), note + "; " + kRemedies);
+}
+
+}  // namespace knotfit
