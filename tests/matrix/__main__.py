@@ -1,7 +1,7 @@
 """Runs the program over every input and option, and holds each result against its word.
 
   scripts/matrix [--quick|--full] [--only PATTERN] [--tool PATH] [--data FOLDER] [--jobs N]
-                 [--table FILE] [--against FILE] [--resume] [--list]
+                 [--table FILE] [--against FILE] [--keep FOLDER] [--resume] [--list]
 
 Without --quick or --full: every two options, and every option and input, meet in one row (some 200 rows, an hour or
 two). What is measured and what a row fails on: docs/matrix.md.
@@ -48,6 +48,7 @@ def options():
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="rows at once; default 1: seconds are then true")
     parser.add_argument("--table", metavar="FILE", help="write the results as a Markdown table")
     parser.add_argument("--against", metavar="FILE", help="list rows that are worse than in this table")
+    parser.add_argument("--keep", metavar="FOLDER", help="keep what rows that fail wrote: a folder a row")
     parser.add_argument("--resume", action="store_true", help="rows that this program has run already are not run again")
     parser.add_argument("--state", metavar="FILE", help="where results are kept; default: in build/matrix/, by the program")
     parser.add_argument("--list", action="store_true", help="name the rows and run none")
@@ -109,7 +110,7 @@ def run_all(o, chosen, state):
         print(f"{len(results)} rows are known from {os.path.relpath(state.path)}")
 
     def one(row):
-        result = run_row.run(os.path.abspath(o.tool), row)
+        result = run_row.run(os.path.abspath(o.tool), row, o.keep)
         state.keep(result)
         return result
 
@@ -117,7 +118,13 @@ def run_all(o, chosen, state):
         for done in concurrent.futures.as_completed([pool.submit(one, r) for r in left]):
             results.append(done.result())
             print(line_of(len(results), len(chosen), results[-1]), flush=True)
+            write_table(o, results)
     return results
+
+
+def write_table(o, results):
+    if o.table:
+        table.write(o.table, results, summary_of(results))
 
 
 def summary_of(results):
@@ -141,9 +148,8 @@ def main():
         if not chosen:
             sys.exit("matrix: no row fits")
         results = run_all(o, chosen, State(o))
+    write_table(o, results)
     summary = summary_of(results)
-    if o.table:
-        table.write(o.table, results, summary)
     for r in results:
         if r.faults:
             print(f"FAILS: {r.key}: {'; '.join(r.faults)}")

@@ -2,7 +2,7 @@
 
 import os
 import re
-import sys
+import shutil
 import tempfile
 from dataclasses import asdict, dataclass, field
 
@@ -54,31 +54,38 @@ def refused_rightly(run, row):
     return points < wide * high
 
 
-def run(tool, row):
-    """tool: path of the program."""
+def run(tool, row, keep=None):
+    """tool: path of the program; keep: a folder for what a row that fails wrote."""
     with tempfile.TemporaryDirectory(prefix="knotfit-matrix-") as folder:
-        done = child.run(command_of(tool, row), folder, TIME_LIMIT, row.stop_after)
-        result = Result(row.input.name, row.call(), exit=done.exit, seconds=done.seconds, memory=done.memory / 2 ** 20)
-        if refused_rightly(done, row):
-            result.status, result.remarks = "refused", ["fewer points than control points"]
-            return result
-        result.faults = verdict.of_process(done, TIME_LIMIT, row.stop_after)
-        if done.exit == 2 and not row.input.sound:
-            result.status, result.remarks, result.faults = "refused", result.faults, []
-            return result
-        try:
-            measure(done, row, folder, result)
-        except Exception as error:  # what cannot be read is the run's fault, and the next row still runs
-            result.faults.append(f"its outputs cannot be measured: {type(error).__name__}: {error}")
-            print(f"matrix: {result.key}: {error!r}", file=sys.stderr)
+        result = run_in(folder, tool, row)
+        if keep and result.faults:
+            kept = os.path.join(keep, re.sub(r"[^\w.%-]+", "_", result.key))
+            shutil.copytree(folder, kept, dirs_exist_ok=True)
         return result
+
+
+def run_in(folder, tool, row):
+    done = child.run(command_of(tool, row), folder, TIME_LIMIT, row.stop_after)
+    result = Result(row.input.name, row.call(), exit=done.exit, seconds=done.seconds, memory=done.memory / 2 ** 20)
+    if refused_rightly(done, row):
+        result.status, result.remarks = "refused", ["fewer points than control points"]
+        return result
+    result.faults = verdict.of_process(done, TIME_LIMIT, row.stop_after)
+    if done.exit == 2 and not row.input.sound:
+        result.status, result.remarks, result.faults = "refused", result.faults, []
+        return result
+    try:
+        measure(done, row, folder, result)
+    except Exception as error:  # what cannot be read is the run's fault, and the next row still runs
+        result.faults.append(f"its outputs cannot be measured: {type(error).__name__}: {error}")
+    return result
 
 
 def measure(done, row, folder, result):
     report = outputs.read_report(done.out)
     wrote = [os.path.exists(os.path.join(folder, name)) for name in ("out.json", "out.csv")]
     if report is None or not all(wrote):
-        result.status = "none"
+        result.status = "refused" if done.exit == 2 else "none"
         if done.exit == 130 and row.stop_after and not any(wrote):
             result.remarks.append("stopped before there was a surface")
         elif not result.faults:

@@ -2,16 +2,17 @@
 
 One measure, for the library's verdict, the tests and the matrix:
 
-    swing(x) = (how far S(x) lies outside the box of the 16 nearest points, the largest over the components)
-               / L,   L = max(floor, largest error of the 8 nearest points)
+    swing(x) = (how far S(x) lies outside the box of the 16 nearest points and of the corners of its triangle,
+               the largest over the components) / L,   L = max(floor, largest error of the 8 nearest points)
 
 floor is the tolerance, or the RMS error where none was asked. Nearest is meant in the parameter square, among
 points with distinct parameters; of points with equal parameters all count as one place. Places x are random ones
 inside small triangles: those of the Delaunay triangulation of the parameters whose edges are at most 3 times the
-least spacing at their corners, the distance to the 4th nearest place.
+least spacing at their corners, the distance to the 4th nearest place. (The corners count so that a plane has no swings: at the border of dense data they may not be
+among the 16.)
 
 A curve has one parameter: places lie in gaps at most 3 times the distance to the 2nd nearest, the box is that of
-the 4 nearest points, L looks at the 2 nearest.
+the 4 nearest points and the ends of the gap, L looks at the 2 nearest.
 """
 
 from dataclasses import dataclass
@@ -76,16 +77,18 @@ def thinned(things, rng):
 
 
 def random_places(uv, corners, rng):
+    """(n x 2 places; the triangle's corners of each, n x 3)."""
     corners, each = thinned(corners, rng)
     a, b = rng.random((2, len(corners), each))
     folded = a + b > 1
     a, b = np.where(folded, 1 - a, a), np.where(folded, 1 - b, b)
     p, q, r = (uv[corners[:, i]][:, None, :] for i in range(3))
-    return (p + a[..., None] * (q - p) + b[..., None] * (r - p)).reshape(-1, 2)
+    places = (p + a[..., None] * (q - p) + b[..., None] * (r - p)).reshape(-1, 2)
+    return places, np.repeat(corners, each, axis=0)
 
 
-def summarize(tree, places, at_places, data, floor, near_box, near_error):
-    """The measure at `places`, where the surface is `at_places`; `data` as of distinct()."""
+def summarize(tree, places, corners, at_places, data, floor, near_box, near_error):
+    """The measure at `places` between `corners`, where the surface is `at_places`; `data` as of distinct()."""
     if len(places) == 0:
         return Swings()
     _, low, high, worst = data
@@ -94,12 +97,13 @@ def summarize(tree, places, at_places, data, floor, near_box, near_error):
     for begin in range(0, len(places), 20_000):
         part = slice(begin, begin + 20_000)
         near = nearest(tree, places[part], near_box)[1]
-        below = low[near].min(axis=1) - at_places[part]
-        above = at_places[part] - high[near].max(axis=1)
+        boxed = np.concatenate([near, corners[part]], axis=1)
+        below = low[boxed].min(axis=1) - at_places[part]
+        above = at_places[part] - high[boxed].max(axis=1)
         excess = np.maximum(np.maximum(below, above).max(axis=1), 0)
         largest_excess = max(largest_excess, float(excess.max()))
         length = np.maximum(worst[near[:, :near_error]].max(axis=1), floor)
-        swing[part] = excess / np.maximum(length, ROUNDING * scale)
+        swing[part] = excess / np.maximum(length, ROUNDING * scale + 1e-300)
     at = int(np.argmax(swing))
     return Swings(len(places), float(swing[at]), float(np.mean(swing > 3)), largest_excess,
                   tuple(map(float, places[at])))
@@ -110,8 +114,8 @@ def of_surface(surface, uv, values, errors, floor):
     data = distinct(uv, values, errors)
     tree = cKDTree(data[0])
     rng = np.random.default_rng(SEED)
-    places = random_places(data[0], small_triangles(data[0], tree), rng)
-    return summarize(tree, places, surface(places[:, 0], places[:, 1]), data, floor, NEAR_BOX, NEAR_ERROR)
+    places, corners = random_places(data[0], small_triangles(data[0], tree), rng)
+    return summarize(tree, places, corners, surface(places[:, 0], places[:, 1]), data, floor, NEAR_BOX, NEAR_ERROR)
 
 
 def of_curve(curve, t, values, errors, floor):
@@ -125,4 +129,5 @@ def of_curve(curve, t, values, errors, floor):
     gaps, each = thinned(gaps, rng)
     places = (at[gaps, None] + rng.random((len(gaps), each)) * (at[gaps + 1] - at[gaps])[:, None]).reshape(-1, 1)
     values_there = curve(places[:, 0]) if len(places) else np.empty((0, values.shape[1]))
-    return summarize(tree, places, values_there, data, floor, NEAR_BOX_CURVE, NEAR_ERROR_CURVE)
+    ends = np.repeat(np.stack([gaps, gaps + 1], axis=1), each, axis=0)
+    return summarize(tree, places, ends, values_there, data, floor, NEAR_BOX_CURVE, NEAR_ERROR_CURVE)
