@@ -29,6 +29,7 @@ class Measured:
     disagree: str  # what the two contradict each other in; empty: nothing
     swings: swings.Swings
     box: float  # how far the surface leaves the data's box, in the data's unit
+    report_differs: str = ""  # the report's errors, of the points it kept of equal ones, from those of all
     notes: list = field(default_factory=list)
 
 
@@ -86,13 +87,16 @@ def of_surface(folder, report, tolerance):
         disagree = disagree or differ("distances (JSON and CSV)", recomputed, errors, 1e-3 * diagonal)
     else:
         disagree = differ("errors (JSON and CSV)", at_parameters, errors, allowed)
-    disagree = disagree or report_denied(report, errors, allowed)
+    denied = report_denied(report, errors, allowed)
+    merged = report["input"].get("duplicates", 0) > 0
+    disagree = disagree or ("" if merged else denied)
     floor = tolerance if tolerance > 0 else rms(errors)
     return Measured(status=report["status"], control_points=surface.net.shape[0] * surface.net.shape[1],
                     points=len(values), dimension=surface.dimension, diagonal=diagonal, errors=errors,
                     recomputed=recomputed, disagree=disagree,
                     swings=swings.of_surface(surface, uv, values, at_parameters, floor),
-                    box=box.of_surface(surface, values), notes=notes_of(report))
+                    box=box.of_surface(surface, values), report_differs=denied if merged else "",
+                    notes=notes_of(report))
 
 
 def of_curve(folder, report, tolerance):

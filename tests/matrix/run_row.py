@@ -98,7 +98,7 @@ def measure(done, row, folder, result):
     denied = truth.denied(row.input.path, outputs.read_table(os.path.join(folder, "out.csv")))
     if denied:
         result.faults.append(denied)
-    faults, remarks = verdict.of_result(m, tolerance)
+    faults, remarks = verdict.of_result(m, tolerance, truth.count(row.input.path))
     result.faults += faults
     result.remarks += remarks
     if tolerance:

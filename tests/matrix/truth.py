@@ -1,7 +1,11 @@
 """The points of an input as this program reads them itself, to hold a run's CSV against.
 
-Text with a header and ESRI ASCII grids; other formats are taken from the run's own CSV.
+Text with a header and ESRI ASCII grids; of rows of points, arrays and meshes the number of points only. The points of
+other formats are taken from the run's own CSV.
 """
+
+import itertools
+import os
 
 import numpy as np
 
@@ -42,6 +46,37 @@ def read(path):
     if path.endswith(".asc"):
         return of_grid(path)
     return of_csv(path) if path.endswith(".csv") else None
+
+
+def lines_of_numbers(file):
+    return sum(1 for line in file if line.split() and "nan" not in line.lower())
+
+
+def header_count(file, word):
+    """`element vertex N` of a PLY."""
+    for line in itertools.islice(file, 100):
+        if line.startswith(word):
+            return int(line.split()[-1])
+    return None
+
+
+def count(path):
+    """Points of the input, or None where this program does not count the format."""
+    ending = os.path.splitext(path)[1].lower()
+    if ending == ".npy":
+        array = np.load(path, allow_pickle=False)
+        return int(np.isfinite(array).all(axis=2).sum() if array.ndim == 3 else np.isfinite(array).sum())
+    with open(path, encoding="latin-1") as file:
+        if ending in (".txt", ".rows"):
+            return lines_of_numbers(file)
+        if ending == ".ply":
+            return header_count(file, "element vertex")
+        if ending == ".obj":
+            return sum(1 for line in file if line.startswith("v "))
+        if ending == ".off":
+            words = (line.partition("#")[0].split() for line in file)
+            return int(next(w[0] for w in words if w and w[0].isdigit()))
+    return None
 
 
 def denied(path, table):

@@ -1,5 +1,6 @@
 """Whether a run kept its word: what docs/matrix.md says that a row fails on."""
 
+import os
 import re
 
 import numpy as np
@@ -20,6 +21,7 @@ ROUNDING = 1e-9
 
 # A note on the box says that the surface leaves its data.
 BOX_WORDS = re.compile(r"\b(swings?|box|strays?|leaves (the|its) data|(beyond|outside|away from|far from) (the|its) data)\b")
+LEFT_OUT_WORDS = re.compile(r"\bleft out\b")
 SWING_WORDS = re.compile(r"\b(swings?|between the points)\b")
 
 
@@ -53,9 +55,9 @@ def of_process(run, time_limit, stop_after):
     if run.exit == 130 and not stop_after:
         faults.append("exit 130, and nobody stopped it")
     if run.seconds > time_limit + OVERRUN:
-        faults.append(f"{run.seconds:.0f} s with a time limit of {time_limit} s")
+        faults.append(f"{run.seconds:.0f} s with a time limit of {time_limit} s" + busy())
     if run.after_stop > OVERRUN:
-        faults.append(f"ended {run.after_stop:.0f} s after it was stopped")
+        faults.append(f"ended {run.after_stop:.0f} s after it was stopped" + busy())
     if run.memory > MEMORY:
         faults.append(f"{run.memory / 2 ** 20:.0f} MiB of memory")
     return faults
@@ -68,13 +70,26 @@ def of_status(status, exit_status):
     return [] if exit_status == wanted else [f"exit {exit_status} with status {status}"]
 
 
-def of_result(m, tolerance):
-    """(faults, remarks) of a run that wrote a surface; tolerance is the report's member, or None."""
-    faults, remarks = [], []
+def of_points(m, count, said):
+    """(faults, remarks) where the CSV has fewer points than the input's `count` (None: not known)."""
+    if count is None or count == m.points:
+        return [], []
+    words = f"the CSV has {m.points} of the input's {count} points"
+    if m.status == "reached" and not LEFT_OUT_WORDS.search(said):
+        return [words + ", and no note says so"], []
+    return [], [words]
+
+
+def of_result(m, tolerance, count=None):
+    """(faults, remarks) of a run that wrote a surface; tolerance is the report's member, or None; count: points of the
+    input, or None."""
+    said = " ".join(m.notes)
+    faults, remarks = of_points(m, count, said)
     if m.disagree:
         faults.append(m.disagree)
+    if m.report_differs:
+        remarks.append(m.report_differs)
     limit = tolerance["value"] if tolerance else 0
-    said = " ".join(m.notes)
     if tolerance:
         for source, errors in (("JSON", m.recomputed), ("CSV", m.errors)):
             error = measured(errors, tolerance["measure"], tolerance["share"])
@@ -95,6 +110,12 @@ def of_result(m, tolerance):
     elif m.box > max(BOX_ASKED * m.diagonal, BOX_TOLERANCES * limit):
         remarks.append("box")
     return faults, remarks
+
+
+def busy():
+    """For what a clock says: whether others used the machine."""
+    load, processors = os.getloadavg()[0], os.cpu_count() or 1
+    return f" (load {load:.1f} on {processors} processors)" if load > processors + 1 else ""
 
 
 def first_line(text):
