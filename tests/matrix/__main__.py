@@ -14,9 +14,9 @@ import fnmatch
 import hashlib
 import json
 import os
+import signal
 import sys
 import tempfile
-import threading
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # measuring beside runs takes one processor
 try:
@@ -26,6 +26,7 @@ except ImportError as missing:
     print(f"skipped: {missing} (scripts/setup installs it)")
     sys.exit(77)
 
+import child
 import inputs
 import quick
 import rows
@@ -37,20 +38,20 @@ def options():
     parser = argparse.ArgumentParser(prog="scripts/matrix", formatter_class=argparse.RawDescriptionHelpFormatter,
                                      description=__doc__)
     which = parser.add_mutually_exclusive_group()
-    which.add_argument("--quick", action="store_true", help="twenty rows on small data, a minute: those of scripts/test")
+    which.add_argument("--quick", action="store_true", help="twenty rows on small data: those of scripts/test")
     which.add_argument("--full", action="store_true", help="every row there is, days")
     parser.add_argument("--only", metavar="PATTERN", action="append", default=[],
                         help="rows whose 'input call' holds this text or fits this pattern (* and ?); may repeat")
     parser.add_argument("--made", action="store_true", help="made inputs only")
     parser.add_argument("--tool", default=os.path.join(inputs.ROOT, "build/dev/tool/knotfit"), help="the program")
     parser.add_argument("--data", default=os.environ.get("KNOTFIT_DATA", ""), help="more inputs; default: KNOTFIT_DATA")
-    parser.add_argument("--calls", default="", help="how inputs of your own are called: lines as in tests/matrix/calls.txt")
-    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="rows at once; default 1: seconds are then true")
+    parser.add_argument("--calls", default="", help="how your own inputs are called: lines as in calls.txt")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="rows at once; default 1: seconds are true")
     parser.add_argument("--table", metavar="FILE", help="write the results as a Markdown table")
     parser.add_argument("--against", metavar="FILE", help="list rows that are worse than in this table")
     parser.add_argument("--keep", metavar="FOLDER", help="keep what rows that fail wrote: a folder a row")
-    parser.add_argument("--resume", action="store_true", help="rows that this program has run already are not run again")
-    parser.add_argument("--state", metavar="FILE", help="where results are kept; default: in build/matrix/, by the program")
+    parser.add_argument("--resume", action="store_true", help="do not run again what this program has run")
+    parser.add_argument("--state", metavar="FILE", help="where results are kept; default: in build/matrix/")
     parser.add_argument("--list", action="store_true", help="name the rows and run none")
     return parser.parse_args()
 
@@ -72,13 +73,13 @@ def choose(o, folder):
 
 
 class State:
-    """Results as they come, a line of JSON each, in a file named after the program's content."""
+    """Results as they come, a line of JSON each, in a file named after the program's content. One thread keeps them."""
 
     def __init__(self, o):
         with open(o.tool, "rb") as file:
             digest = hashlib.sha256(file.read()).hexdigest()[:12]
         self.path = o.state or os.path.join(inputs.ROOT, "build/matrix", digest + ".jsonl")
-        self.lock, self.known = threading.Lock(), {}
+        self.known = {}
         os.makedirs(os.path.dirname(os.path.abspath(self.path)), exist_ok=True)
         if o.resume and os.path.exists(self.path):
             with open(self.path, encoding="utf-8") as file:
@@ -88,9 +89,8 @@ class State:
         self.file = open(self.path, "a" if o.resume else "w", encoding="utf-8")
 
     def keep(self, result):
-        with self.lock:
-            self.file.write(json.dumps(run_row.as_record(result)) + "\n")
-            self.file.flush()
+        self.file.write(json.dumps(run_row.as_record(result)) + "\n")
+        self.file.flush()
 
 
 def line_of(number, count, r):
@@ -109,16 +109,19 @@ def run_all(o, chosen, state):
     if results:
         print(f"{len(results)} rows are known from {os.path.relpath(state.path)}")
 
-    def one(row):
-        result = run_row.run(os.path.abspath(o.tool), row, o.keep)
-        state.keep(result)
-        return result
-
-    with concurrent.futures.ThreadPoolExecutor(o.jobs) as pool:
-        for done in concurrent.futures.as_completed([pool.submit(one, r) for r in left]):
+    pool = concurrent.futures.ThreadPoolExecutor(o.jobs)
+    try:
+        waiting = [pool.submit(run_row.run, os.path.abspath(o.tool), r, o.keep) for r in left]
+        for done in concurrent.futures.as_completed(waiting):
             results.append(done.result())
+            state.keep(results[-1])
             print(line_of(len(results), len(chosen), results[-1]), flush=True)
             write_table(o, results)
+    except BaseException:
+        pool.shutdown(wait=False, cancel_futures=True)
+        child.end_all()
+        raise
+    pool.shutdown()
     return results
 
 
@@ -160,5 +163,14 @@ def main():
     return 1 if any(r.faults for r in results) else 0
 
 
+def interrupted(*_):
+    raise KeyboardInterrupt
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    signal.signal(signal.SIGTERM, interrupted)
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        print("matrix: interrupted; --resume goes on", file=sys.stderr)
+        sys.exit(130)

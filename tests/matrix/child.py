@@ -14,6 +14,7 @@ import time
 from collections import namedtuple
 
 GRACE = 120  # seconds after which a run that should have ended is killed
+running = set()  # watchers, by process id
 
 # exit: below 0 where a signal ended it; after_stop: seconds from the signal to the end, 0 where none was sent;
 # memory: bytes; killed: by us, for hanging.
@@ -75,13 +76,28 @@ def watch(command, time_limit, stop_after):
 def run(command, folder, time_limit, stop_after=0):
     """Runs `command` in `folder`; SIGINT after stop_after seconds where that is above 0."""
     watcher = [sys.executable, "-I", "-S", os.path.abspath(__file__), str(time_limit), str(stop_after), *command]
-    done = subprocess.run(watcher, cwd=folder, stdout=subprocess.PIPE, check=True)
+    # A session of its own: a Ctrl-C for the matrix is none for the program, whose row would then tell of it.
+    process = subprocess.Popen(watcher, cwd=folder, stdout=subprocess.PIPE, start_new_session=True)
+    running.add(process.pid)
+    said = process.communicate()[0]
+    running.discard(process.pid)
+    if process.returncode != 0:
+        raise RuntimeError(f"the watcher ended with {process.returncode}")
 
     def text(name):
         with open(os.path.join(folder, name), encoding="utf-8", errors="replace") as file:
             return file.read()
 
-    return Run(out=text("stdout"), err=text("stderr"), **json.loads(done.stdout))
+    return Run(out=text("stdout"), err=text("stderr"), **json.loads(said))
+
+
+def end_all():
+    """Ends every run and its watcher."""
+    for pid in list(running):
+        try:
+            os.killpg(pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
 
 
 if __name__ == "__main__":

@@ -125,7 +125,8 @@ def holed(rng):
     r = np.hypot(x - 30, y - 25)
     ring = np.hypot(x - 85, y - 30)
     hole = (r < 9) | ((ring > 8) & (ring < 14)) | ((x > 20) & (x < 50) & (y > 55) & (y < 62))
-    hole |= ((x > 20) & (x < 27) & (y > 55) & (y < 80)) | ((x > 70) & (x < 112) & (np.abs(y - 60 - 0.2 * (x - 70)) < 1.5))
+    hole |= (x > 20) & (x < 27) & (y > 55) & (y < 80)
+    hole |= (x > 70) & (x < 112) & (np.abs(y - 60 - 0.2 * (x - 70)) < 1.5)
     hole |= x > 112 + 5 * np.sin(y / 6)
     return ".asc", writers.grid(np.where(hole, np.nan, z), 500.0, 200.0, 5.0, 4.0)
 
@@ -146,7 +147,8 @@ def graded_mesh(rng):
 def helix(rng):
     """A curve in space, its points in bursts."""
     t = np.unique(np.concatenate([np.linspace(0, 1, 40), (rng.random(300) ** 3)]))
-    return ".csv", writers.text("x,y,z", np.column_stack([np.cos(14 * t), np.sin(14 * t), 3 * t + np.tanh(30 * (t - 0.6))]))
+    z = 3 * t + np.tanh(30 * (t - 0.6))
+    return ".csv", writers.text("x,y,z", np.column_stack([np.cos(14 * t), np.sin(14 * t), z]))
 
 
 def record(rng):

@@ -40,8 +40,8 @@ class Basis(unittest.TestCase):
         for degree in (1, 3, 9):
             knots = clamped(degree, np.sort(rng.random(6)))
             t = rng.random(50)
-            np.testing.assert_allclose(basis_matrix(knots, degree, t), BSpline.design_matrix(t, knots, degree).toarray(),
-                                       atol=1e-13)
+            design = BSpline.design_matrix(t, knots, degree).toarray()
+            np.testing.assert_allclose(basis_matrix(knots, degree, t), design, atol=1e-13)
 
 
 class Surfaces(unittest.TestCase):

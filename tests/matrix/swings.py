@@ -8,8 +8,8 @@ One measure, for the library's verdict, the tests and the matrix:
 floor is the tolerance, or the RMS error where none was asked. Nearest is meant in the parameter square, among
 points with distinct parameters; of points with equal parameters all count as one place. Places x are random ones
 inside small triangles: those of the Delaunay triangulation of the parameters whose edges are at most 3 times the
-least spacing at their corners, the distance to the 4th nearest place. (The corners count so that a plane has no swings: at the border of dense data they may not be
-among the 16.)
+least spacing at their corners, the distance to the 4th nearest place. (The corners count so that a plane has no
+swings: at the border of dense data they may not be among the 16.)
 
 A curve has one parameter: places lie in gaps at most 3 times the distance to the 2nd nearest, the box is that of
 the 4 nearest points and the ends of the gap, L looks at the 2 nearest.

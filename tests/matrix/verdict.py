@@ -20,7 +20,8 @@ MEMORY = 1 << 30  # bytes
 ROUNDING = 1e-9
 
 # A note on the box says that the surface leaves its data.
-BOX_WORDS = re.compile(r"\b(swings?|box|strays?|leaves (the|its) data|(beyond|outside|away from|far from) (the|its) data)\b")
+BOX_WORDS = re.compile(r"\b(swings?|box|strays?|leaves (the|its) data|"
+                       r"(beyond|outside|away from|far from) (the|its) data)\b")
 LEFT_OUT_WORDS = re.compile(r"\bleft out\b")
 SWING_WORDS = re.compile(r"\b(swings?|between the points)\b")
 

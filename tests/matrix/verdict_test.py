@@ -145,8 +145,9 @@ class Truth(unittest.TestCase):
                          [(11, 23, 1), (13, 23, 2), (11, 21, 4), (13, 21, 5), (15, 21, 6)])
 
     def test_points_are_counted(self):
-        for name, text in [("a.rows", "0 0 1\n1 0 1\n\n0 1 1\nnan nan nan\n"), ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n"),
-                           ("a.off", "OFF # a comment\n3 1 0\n0 0 0\n"), ("a.ply", "ply\nelement vertex 3\n")]:
+        for name, text in [("a.rows", "0 0 1\n1 0 1\n\n0 1 1\nnan nan nan\n"),
+                           ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n"), ("a.off", "OFF # a comment\n3 1 0\n0 0 0\n"),
+                           ("a.ply", "ply\nelement vertex 3\n")]:
             self.assertEqual(truth.count(self.write(name, text)), 3, name)
         path = self.write("a.npy", "")
         np.save(path, np.array([[[0, 0, 1], [np.nan] * 3], [[1, 1, 1], [2, 2, 2.0]]]))

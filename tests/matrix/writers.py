@@ -19,8 +19,8 @@ def rows(parts):
 def grid(heights, left, lower, dx, dy, nodata=-9999.0):
     """ESRI ASCII; the first row is the north; NaN is a hole."""
     rows_, cols = heights.shape
-    head = [f"ncols {cols}", f"nrows {rows_}", f"xllcorner {left!r}", f"yllcorner {lower!r}", f"dx {dx!r}", f"dy {dy!r}",
-            f"NODATA_value {nodata:g}"]
+    head = [f"ncols {cols}", f"nrows {rows_}", f"xllcorner {left!r}", f"yllcorner {lower!r}", f"dx {dx!r}",
+            f"dy {dy!r}", f"NODATA_value {nodata:g}"]
     lines = [" ".join(f"{z:.9g}" for z in row) for row in np.where(np.isnan(heights), nodata, heights)]
     return ("\n".join(head + lines) + "\n").encode()
 
