@@ -157,7 +157,18 @@ class Feet(unittest.TestCase):
         normal /= np.linalg.norm(normal, axis=1)[:, None]
         points = s(u, v) + 0.1 * normal  # nearer than the least radius of curvature, 0.5
         starts = np.clip(np.stack([u, v], axis=1) + 0.2, 0, 1)
-        np.testing.assert_allclose(feet.distances(s, points, starts), 0.1, atol=1e-9)
+        np.testing.assert_allclose(feet.distances(s, points, starts, np.full(200, 0.1)), 0.1, atol=1e-9)
+
+    def test_of_two_sheets_that_lie_close_the_nearer_one_is_found(self):
+        # A strip folded back over itself at a distance of 1e-3, its samples 5e-3 apart.
+        knots, n = clamped(1, np.arange(1, 20) / 20), 21
+        along = np.concatenate([np.linspace(0, 2, 11), np.linspace(2, 0, 11)[1:]])
+        net = np.zeros((n, 2, 3))
+        net[:, :, 0], net[:, 1, 1], net[11:, :, 2] = along[:, None], 2, 1e-3
+        s = Surface((1, 1), knots, clamped(1, []), net)
+        points = np.array([[0.7177, 0.5, 1.1e-3], [1.1234, 1.5, 1.1e-3]])
+        lower = np.stack([points[:, 0] / 4, points[:, 1] / 2], axis=1)
+        np.testing.assert_allclose(feet.distances(s, points, lower, np.full(2, 1e-4)), 1e-4, atol=1e-9)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ import swings
 from splines import read_curve, read_surface
 
 AGREE = 1e-7  # of the diagonal: between two ways to the same error
+FEET_AGREE = 1e-5  # of the diagonal: between two searches of the nearest place
 
 
 @dataclass
@@ -77,14 +78,13 @@ def of_surface(folder, report, tolerance):
     if corrected:
         disagree = differ("errors at the parameters (JSON and CSV)", at_parameters, table["error_at_parameters"],
                           allowed)
-        recomputed = errors.copy()
-        far = at_parameters > errors + allowed
-        found = at_parameters
+        wanted = errors + FEET_AGREE * diagonal + allowed
+        far = at_parameters > wanted
+        found = at_parameters.copy()
         if far.any():
-            found = at_parameters.copy()
-            found[far] = feet.distances(surface, values[far], uv[far])
-        recomputed = np.where(found <= errors + allowed, errors, found)
-        disagree = disagree or differ("distances (JSON and CSV)", recomputed, errors, 1e-3 * diagonal)
+            found[far] = feet.distances(surface, values[far], uv[far], wanted[far])
+        recomputed = np.where(found <= wanted, errors, found)
+        disagree = disagree or differ("distances (JSON and CSV)", recomputed, errors, 10 * FEET_AGREE * diagonal)
     else:
         disagree = differ("errors (JSON and CSV)", at_parameters, errors, allowed)
     denied = report_denied(report, errors, allowed)
