@@ -98,7 +98,7 @@ def line_of(number, count, r):
     if r.control_points:
         parts.append(f"{r.control_points} points, error {r.error:.3g}{' tol' if r.tolerance else ' %'}, "
                      f"swing {r.swing:.3g} ({100 * r.above_3:.2g} % above 3), box {r.box:.3g} %")
-    parts.append(f"{r.seconds:.1f} s {r.memory:.0f} MiB")
+    parts.append(f"{r.seconds:.1f} s ({r.processor:.1f} of a processor) {r.memory:.0f} MiB")
     parts += ["!! " + f for f in r.faults] + ["(" + x + ")" for x in r.remarks]
     return " ".join(parts)
 

@@ -17,8 +17,8 @@ GRACE = 120  # seconds after which a run that should have ended is killed
 running = set()  # watchers, by process id
 
 # exit: below 0 where a signal ended it; after_stop: seconds from the signal to the end, 0 where none was sent;
-# memory: bytes; killed: by us, for hanging.
-Run = namedtuple("Run", "exit out err seconds after_stop memory killed")
+# processor: seconds that the program had, all threads; memory: bytes; killed: by us, for hanging.
+Run = namedtuple("Run", "exit out err seconds after_stop processor memory killed")
 
 
 def default_signals():
@@ -70,7 +70,8 @@ def watch(command, time_limit, stop_after):
         child.returncode = os.waitstatus_to_exitcode(status)
     stopped = signals.sent.get(signal.SIGINT)
     return {"exit": child.returncode, "seconds": end - start, "after_stop": end - stopped if stopped else 0.0,
-            "memory": usage.ru_maxrss * 1024, "killed": signal.SIGKILL in signals.sent}
+            "processor": usage.ru_utime + usage.ru_stime, "memory": usage.ru_maxrss * 1024,
+            "killed": signal.SIGKILL in signals.sent}
 
 
 def run(command, folder, time_limit, stop_after=0):

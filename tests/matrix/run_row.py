@@ -31,6 +31,7 @@ class Result:
     box: float = 0.0  # in % of the diagonal
     box_tolerances: float = 0.0
     seconds: float = 0.0
+    processor: float = 0.0  # seconds
     memory: float = 0.0  # MiB
     faults: list = field(default_factory=list)
     remarks: list = field(default_factory=list)
@@ -66,7 +67,8 @@ def run(tool, row, keep=None):
 
 def run_in(folder, tool, row):
     done = child.run(command_of(tool, row), folder, TIME_LIMIT, row.stop_after)
-    result = Result(row.input.name, row.call(), exit=done.exit, seconds=done.seconds, memory=done.memory / 2 ** 20)
+    result = Result(row.input.name, row.call(), exit=done.exit, seconds=done.seconds, processor=done.processor,
+                    memory=done.memory / 2 ** 20)
     if refused_rightly(done, row):
         result.status, result.remarks = "refused", ["fewer points than control points"]
         return result

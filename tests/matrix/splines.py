@@ -114,12 +114,18 @@ class Map:
         return np.clip(own, 0, 1)
 
 
+def read_document(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
 def read_surface(path):
     """(Surface, Map, the whole document)."""
-    d = json.loads(open(path, encoding="utf-8").read())
+    d = read_document(path)
     return Surface(d["degree"], d["knots_u"], d["knots_v"], d["control_points"]), Map(d.get("parameter_map")), d
 
 
 def read_curve(path):
-    d = json.loads(open(path, encoding="utf-8").read())
+    """(Curve, the whole document)."""
+    d = read_document(path)
     return Curve(d["degree"], d["knots"], d["control_points"]), d

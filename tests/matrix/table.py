@@ -3,7 +3,7 @@
 import os
 
 HEAD = ["input", "call", "exit", "status", "control points", "error", "swing", "above 3, %", "box, %", "box, tol", "s",
-        "MiB", "fails on", "remarks"]
+        "processor s", "MiB", "fails on", "remarks"]
 MARK = "<!-- Rows: written by scripts/matrix --table; what stands below is replaced. -->"
 # A row that ends in a later one than before got worse.
 RANK = {status: rank for rank, status in enumerate(
@@ -24,8 +24,8 @@ def cells(r):
     return [r.input, r.call, str(r.exit), r.status, str(r.control_points) if measured else "",
             short(r.error) + unit if measured else "", short(r.swing) if measured else "",
             short(100 * r.above_3) if measured else "", short(r.box) if measured else "",
-            short(r.box_tolerances) if measured and r.tolerance else "", f"{r.seconds:.1f}", f"{r.memory:.0f}",
-            "; ".join(r.faults), "; ".join(r.remarks)]
+            short(r.box_tolerances) if measured and r.tolerance else "", f"{r.seconds:.1f}", f"{r.processor:.1f}",
+            f"{r.memory:.0f}", "; ".join(r.faults), "; ".join(r.remarks)]
 
 
 def escaped(text):
