@@ -17,6 +17,7 @@ import os
 import signal
 import sys
 import tempfile
+import time
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # measuring beside runs takes one processor
 try:
@@ -47,6 +48,7 @@ def options():
     parser.add_argument("--data", default=os.environ.get("KNOTFIT_DATA", ""), help="more inputs; default: KNOTFIT_DATA")
     parser.add_argument("--calls", default="", help="how your own inputs are called: lines as in calls.txt")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="rows at once; default 1: seconds are true")
+    parser.add_argument("--calm", type=float, metavar="LOAD", help="begin a row only while the load is below this")
     parser.add_argument("--table", metavar="FILE", help="write the results as a Markdown table")
     parser.add_argument("--against", metavar="FILE", help="list rows that are worse than in this table")
     parser.add_argument("--keep", metavar="FOLDER", help="keep what rows that fail wrote: a folder a row")
@@ -103,6 +105,12 @@ def line_of(number, count, r):
     return " ".join(parts)
 
 
+def run_one(o, row):
+    while o.calm and os.getloadavg()[0] >= o.calm:
+        time.sleep(5)
+    return run_row.run(os.path.abspath(o.tool), row, o.keep)
+
+
 def run_all(o, chosen, state):
     results = [state.known[r.key] for r in chosen if r.key in state.known]
     left = [r for r in chosen if r.key not in state.known]
@@ -111,7 +119,7 @@ def run_all(o, chosen, state):
 
     pool = concurrent.futures.ThreadPoolExecutor(o.jobs)
     try:
-        waiting = [pool.submit(run_row.run, os.path.abspath(o.tool), r, o.keep) for r in left]
+        waiting = [pool.submit(run_one, o, r) for r in left]
         for done in concurrent.futures.as_completed(waiting):
             results.append(done.result())
             state.keep(results[-1])
