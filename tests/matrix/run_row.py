@@ -88,7 +88,8 @@ def measure(done, row, folder, result):
     wrote = [os.path.exists(os.path.join(folder, name)) for name in ("out.json", "out.csv")]
     if report is None or not all(wrote):
         result.status = "refused" if done.exit == 2 else "none"
-        if done.exit == 130 and row.stop_after and not any(wrote):
+        at_start = verdict.stopped_at_its_start(done, row.stop_after)
+        if (at_start or done.exit == 130) and row.stop_after and not any(wrote):
             result.remarks.append("stopped before there was a surface")
         elif not result.faults:
             result.faults.append(f"exit {done.exit} without a report and both files")

@@ -2,6 +2,7 @@
 
 import os
 import re
+import signal
 
 import numpy as np
 
@@ -16,6 +17,7 @@ LARGEST_SWING, SHARE_ABOVE_3 = 10, 1 / 2000
 BOX_FAILS, BOX_ASKED, BOX_TOLERANCES = 0.20, 0.02, 2
 FIXED_EXCESS = 0.01  # of the diagonal: what is worth a remark where a fixed size follows the points to a few digits
 OVERRUN = 10  # seconds
+STARTED = 0.5  # processor seconds in which the program surely listens to signals
 MEMORY = 1 << 30  # bytes
 ROUNDING = 1e-9
 
@@ -45,6 +47,8 @@ def of_process(run, time_limit, stop_after):
     faults = []
     if run.killed:
         faults.append(f"hung: killed after {run.seconds:.0f} s")
+    elif stopped_at_its_start(run, stop_after):
+        pass
     elif run.exit < 0:
         faults.append(f"ended by signal {-run.exit}")
     elif run.exit == 1:
@@ -62,6 +66,11 @@ def of_process(run, time_limit, stop_after):
     if run.memory > MEMORY:
         faults.append(f"{run.memory / 2 ** 20:.0f} MiB of memory")
     return faults
+
+
+def stopped_at_its_start(run, stop_after):
+    """On a busy machine the signal may come before the program has begun to listen."""
+    return bool(stop_after) and run.exit == -signal.SIGINT and run.processor < STARTED
 
 
 def of_status(status, exit_status):

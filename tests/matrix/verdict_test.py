@@ -114,6 +114,14 @@ time.sleep(20)"""
         self.assertEqual(verdict.of_process(done, 60, 0.5), [])
         self.assertIn("nobody stopped it", verdict.of_process(done, 60, 0)[0])
 
+    def test_a_stop_before_the_program_listens_is_no_crash(self):
+        code = "import os, signal, time; signal.signal(signal.SIGINT, signal.SIG_DFL); time.sleep(20)"
+        done = self.run_python(code, stop_after=1)
+        self.assertEqual(done.exit, -2)
+        self.assertEqual(verdict.of_process(done, 60, 1), [])
+        self.assertEqual(verdict.of_process(done, 60, 0), ["ended by signal 2"])
+        self.assertEqual(verdict.of_process(done._replace(processor=1.5), 60, 1), ["ended by signal 2"])
+
     def test_memory_is_the_programs_own(self):
         held = np.ones(40 << 20)  # 320 MiB here
         small, large = self.run_python("pass"), self.run_python("x = b'x' * (200 << 20)")
