@@ -13,7 +13,7 @@ import threading
 import time
 from collections import namedtuple
 
-GRACE = 120  # seconds after which a run that should have ended is killed
+GRACE = 240  # seconds after which a run that should have ended is killed
 running = set()  # watchers, by process id
 
 # exit: below 0 where a signal ended it; after_stop: seconds from the signal to the end, 0 where none was sent;

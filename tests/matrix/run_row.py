@@ -72,10 +72,12 @@ def run_in(folder, tool, row):
     if refused_rightly(done, row):
         result.status, result.remarks = "refused", ["fewer points than control points"]
         return result
-    result.faults = verdict.of_process(done, TIME_LIMIT, row.stop_after)
+    result.faults = verdict.of_process(done, row.stop_after)
     if done.exit == 2 and not row.input.sound:
         result.status, result.remarks, result.faults = "refused", result.faults, []
         return result
+    late, result.remarks = verdict.of_clock(done, TIME_LIMIT)
+    result.faults += late
     try:
         measure(done, row, folder, result)
     except Exception as error:  # what cannot be read is the run's fault, and the next row still runs

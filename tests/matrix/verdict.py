@@ -17,6 +17,7 @@ LARGEST_SWING, SHARE_ABOVE_3 = 10, 1 / 2000
 BOX_FAILS, BOX_ASKED, BOX_TOLERANCES = 0.20, 0.02, 2
 FIXED_EXCESS = 0.01  # of the diagonal: what is worth a remark where a fixed size follows the points to a few digits
 OVERRUN = 10  # seconds
+STARVED = 0.5  # share of one processor
 STARTED = 0.5  # processor seconds in which the program surely listens to signals
 MEMORY = 1 << 30  # bytes
 ROUNDING = 1e-9
@@ -42,8 +43,8 @@ def swings_too_much(s):
     return s.largest > LARGEST_SWING or s.share_above_3 > SHARE_ABOVE_3
 
 
-def of_process(run, time_limit, stop_after):
-    """Faults that need no output."""
+def of_process(run, stop_after):
+    """Faults that need no output, nor a clock."""
     faults = []
     if run.killed:
         faults.append(f"hung: killed after {run.seconds:.0f} s")
@@ -59,13 +60,22 @@ def of_process(run, time_limit, stop_after):
         faults.append(f"exit {run.exit}")
     if run.exit == 130 and not stop_after:
         faults.append("exit 130, and nobody stopped it")
-    if run.seconds > time_limit + OVERRUN:
-        faults.append(f"{run.seconds:.0f} s with a time limit of {time_limit} s" + busy())
-    if run.after_stop > OVERRUN:
-        faults.append(f"ended {run.after_stop:.0f} s after it was stopped" + busy())
     if run.memory > MEMORY:
         faults.append(f"{run.memory / 2 ** 20:.0f} MiB of memory")
     return faults
+
+
+def of_clock(run, time_limit):
+    """(faults, remarks) of seconds; those of a program that hardly got a processor are the machine's."""
+    late = []
+    if run.seconds > time_limit + OVERRUN:
+        late.append(f"{run.seconds:.0f} s with a time limit of {time_limit} s")
+    if run.after_stop > OVERRUN:
+        late.append(f"ended {run.after_stop:.0f} s after it was stopped")
+    load, processors = os.getloadavg()[0], os.cpu_count() or 1
+    if late and load > processors + 1 and run.processor < STARVED * run.seconds:
+        return [], [f"{words}: a busy machine, {run.processor:.1f} s of a processor" for words in late]
+    return late, []
 
 
 def stopped_at_its_start(run, stop_after):
@@ -120,12 +130,6 @@ def of_result(m, tolerance, count=None):
     elif m.box > max(BOX_ASKED * m.diagonal, BOX_TOLERANCES * limit):
         remarks.append("box")
     return faults, remarks
-
-
-def busy():
-    """For what a clock says: whether others used the machine."""
-    load, processors = os.getloadavg()[0], os.cpu_count() or 1
-    return f" (load {load:.1f} on {processors} processors)" if load > processors + 1 else ""
 
 
 def first_line(text):

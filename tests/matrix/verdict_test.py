@@ -4,6 +4,7 @@ import os
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
@@ -95,13 +96,13 @@ class Processes(unittest.TestCase):
     def test_exit_status_and_words(self):
         done = self.run_python("import sys; print('out'); print('knotfit: why', file=sys.stderr); sys.exit(2)")
         self.assertEqual((done.exit, done.out), (2, "out\n"))
-        self.assertEqual(verdict.of_process(done, 60, 0), ["refused: why"])
-        self.assertEqual(verdict.of_process(self.run_python("raise SystemExit(1)"), 60, 0), ["exit 1: no message"])
-        self.assertEqual(verdict.of_process(self.run_python("raise SystemExit(3)"), 60, 0), [])
+        self.assertEqual(verdict.of_process(done, 0), ["refused: why"])
+        self.assertEqual(verdict.of_process(self.run_python("raise SystemExit(1)"), 0), ["exit 1: no message"])
+        self.assertEqual(verdict.of_process(self.run_python("raise SystemExit(3)"), 0), [])
 
     def test_a_crash(self):
         done = self.run_python("import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
-        self.assertEqual(verdict.of_process(done, 60, 0), ["ended by signal 11"])
+        self.assertEqual(verdict.of_process(done, 0), ["ended by signal 11"])
 
     def test_a_stop_arrives_and_its_seconds_count(self):
         code = """
@@ -111,16 +112,16 @@ time.sleep(20)"""
         done = self.run_python(code, stop_after=0.5)
         self.assertEqual(done.exit, 130)
         self.assertTrue(0.25 < done.after_stop < 5, done)
-        self.assertEqual(verdict.of_process(done, 60, 0.5), [])
-        self.assertIn("nobody stopped it", verdict.of_process(done, 60, 0)[0])
+        self.assertEqual(verdict.of_process(done, 0.5), [])
+        self.assertIn("nobody stopped it", verdict.of_process(done, 0)[0])
 
     def test_a_stop_before_the_program_listens_is_no_crash(self):
         code = "import os, signal, time; signal.signal(signal.SIGINT, signal.SIG_DFL); time.sleep(20)"
         done = self.run_python(code, stop_after=1)
         self.assertEqual(done.exit, -2)
-        self.assertEqual(verdict.of_process(done, 60, 1), [])
-        self.assertEqual(verdict.of_process(done, 60, 0), ["ended by signal 2"])
-        self.assertEqual(verdict.of_process(done._replace(processor=1.5), 60, 1), ["ended by signal 2"])
+        self.assertEqual(verdict.of_process(done, 1), [])
+        self.assertEqual(verdict.of_process(done, 0), ["ended by signal 2"])
+        self.assertEqual(verdict.of_process(done._replace(processor=1.5), 1), ["ended by signal 2"])
 
     def test_memory_is_the_programs_own(self):
         held = np.ones(40 << 20)  # 320 MiB here
@@ -128,12 +129,22 @@ time.sleep(20)"""
         self.assertLess(small.memory, 60 << 20)
         self.assertGreater(large.memory, 200 << 20)
         self.assertEqual(len(held), 40 << 20)
-        self.assertIn("MiB of memory", verdict.of_process(large._replace(memory=2 << 30), 60, 0)[0])
+        self.assertIn("MiB of memory", verdict.of_process(large._replace(memory=2 << 30), 0)[0])
 
     def test_a_time_limit_overrun(self):
-        done = self.run_python("pass")._replace(seconds=71)
-        self.assertRegex("; ".join(verdict.of_process(done, 60, 0)), r"^71 s with a time limit of 60 s( \(load .*\))?$")
-        self.assertEqual(verdict.of_process(done._replace(seconds=69), 60, 0), [])
+        done = self.run_python("pass")._replace(seconds=71, processor=120)
+        self.assertEqual(verdict.of_clock(done, 60), (["71 s with a time limit of 60 s"], []))
+        self.assertEqual(verdict.of_clock(done._replace(seconds=69), 60), ([], []))
+        self.assertEqual(verdict.of_clock(done._replace(seconds=13, after_stop=11), 60),
+                         (["ended 11 s after it was stopped"], []))
+
+    def test_a_starved_program_is_not_late(self):
+        done = self.run_python("pass")._replace(seconds=71, processor=1)
+        with unittest.mock.patch("os.getloadavg", return_value=(50, 50, 50)):
+            self.assertEqual(verdict.of_clock(done, 60),
+                             ([], ["71 s with a time limit of 60 s: a busy machine, 1.0 s of a processor"]))
+        with unittest.mock.patch("os.getloadavg", return_value=(0, 0, 0)):  # it slept
+            self.assertEqual(len(verdict.of_clock(done, 60)[0]), 1)
 
 
 class Truth(unittest.TestCase):
