@@ -12,7 +12,7 @@ ROWS = [
     ("face.uv.csv", dict(measure="rms", size="20", knots="uniform")),
     ("jacksboro.asc", dict(tolerance="5%", measure="rms", knots="uniform")),
     ("jacksboro.asc", dict(tolerance="5%", measure="99.5%", stop="2 s")),
-    ("blade_profile.csv", dict(tolerance="0.1%")),
+    ("blade_profile.csv", dict(tolerance="1%", knots="error-model")),
     ("made:small_scattered", dict()),
     ("made:small_scattered", dict(tolerance="1%", route="insert", knots="error-model")),
     ("made:small_scattered", dict(tolerance="0.1%", measure="99.5%", size="20")),

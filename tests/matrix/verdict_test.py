@@ -165,7 +165,8 @@ class Truth(unittest.TestCase):
 
     def test_points_are_counted(self):
         for name, text in [("a.rows", "0 0 1\n1 0 1\n\n0 1 1\nnan nan nan\n"),
-                           ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n"), ("a.off", "OFF # a comment\n3 1 0\n0 0 0\n"),
+                           ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n"),
+                           ("a.off", "OFF # a comment\n3 1 0\n0 0 0\n"),
                            ("a.ply", "ply\nelement vertex 3\n")]:
             self.assertEqual(truth.count(self.write(name, text)), 3, name)
         path = self.write("a.npy", "")
