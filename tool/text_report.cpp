@@ -129,16 +129,21 @@ double share_within(const FitResult& result) {
 }
 
 std::string verdict(const FitReport& r) {
-  if (!r.choices.tolerance) return "a fixed size";
+  if (!r.choices.tolerance)
+    return r.result.swings.swings ? "a fixed size that swings between the points" : "a fixed size";
   return fmt::format("{} {}: {}", to_text(*r.choices.tolerance), measure_text(r.choices),
-                     r.result.reached ? "reached" : "not reached");
+                     r.result.reached                    ? "reached"
+                     : r.result.status == Status::swings ? "the surface swings between the points"
+                                                         : "not reached");
 }
 
 std::string report_to_text(const FitReport& r) {
   const FitResult& result = r.result;
   const Surface& s = result.surface;
   const double diagonal = result.diagonal;
-  std::string text = input_line(r);
+  // What makes a surface useless stands before all figures.
+  std::string text = result.swings.swings ? result.notes.front() + "\n" : "";
+  text += input_line(r);
   if (!s.empty()) {
     text += fmt::format("surface: {} x {} = {} control points, degree {} x {}, knots by {}\n", s.size_u(),
                         s.size_v(), s.control_point_count(), s.degree_u(), s.degree_v(), result.method);
