@@ -57,9 +57,8 @@ class ExitStatus(ToolTest):
     def test_2_for_usage(self):
         self.write_points()
         for arguments, words in [
-            ((), ["subcommand"]),
             (("fit",), ["INPUT"]),
-            (("nonsense",), []),
+            (("nonsense",), ["nonsense", "--help"]),
             (("fit", "points.csv", "--nonsense"), ["--nonsense", "--help"]),
             (("fit", "points.csv", "--tol"), ["--tol"]),
             (("fit", "points.csv", "--rms", "--within", "99%"), ["--rms", "--within"]),
