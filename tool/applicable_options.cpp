@@ -131,16 +131,18 @@ void refuse_data_options(const std::vector<std::string>& given, const std::strin
 }
 
 void refuse_idle_reading(const SourceData& data, const std::string& path, const InputOptions& options) {
-  const bool named_columns =
-      data.format == "csv" || data.format == "rows" ||
-      (data.format.starts_with("npy") && !std::holds_alternative<Raster>(data.content));
-  if (!named_columns && is_given(options.given, "--columns"))
+  const bool raster = std::holds_alternative<Raster>(data.content);
+  const bool text = data.format == "csv" || data.format == "rows";
+  const bool array = data.format.starts_with("npy") && !raster;
+  const auto refuse_unless = [&](bool acts, std::string_view option, std::string_view purpose) {
+    if (acts || !is_given(options.given, option)) return;
     throw InvalidInput(fmt::format(
-        "{}: --columns does not apply to {}: it says what the columns of text and of n x k "
-        "arrays are",
-        input_name(path),
-        std::holds_alternative<Raster>(data.content) ? "a raster of heights"
-                                                     : fmt::format("a file of format {}", data.format)));
+        "{}: {} does not apply to {}: {}", input_name(path), option,
+        raster ? "a raster of heights" : fmt::format("a file of format {}", data.format), purpose));
+  };
+  refuse_unless(text || array, "--columns", "it says what the columns of text and of n x k arrays are");
+  refuse_unless(!(data.format == "off" || data.format == "stl"), "--nodata",
+                "it is what stands for missing data among points and heights");
 }
 
 void refuse_idle_options(const SourceData& data, const FitChoices& choices) {

@@ -1,0 +1,226 @@
+"""Every option on every kind of input: it acts, or it is refused by name. Nothing is ignored in silence."""
+
+import math
+import unittest
+
+from harness import ToolTest
+from help_test import options_of
+
+QUICK = ("--control-points", "4x4", "--between", "off")
+
+# Kinds of input for fit, and what else stands on the command line with each.
+KINDS = {
+    "raster": ("raster.asc",),
+    "array": ("heights.npy",),  # H x W heights
+    "points": ("points.csv",),  # x, y, z with u, v
+    "values": ("values.csv",),  # z with u, v
+    "cloud": ("cloud.csv",),  # x, y, z
+    "grid": ("grid.rows",),
+    "rows": ("ragged.rows",),
+    "mesh": ("mesh.obj",),
+    "textured": ("textured.obj",),  # a mesh with vt
+    "heights": ("cloud.csv", "--height-field"),
+    "anew": ("points.csv", "--new-parameters"),
+    "textured anew": ("textured.obj", "--new-parameters"),
+    "over plane": ("cloud.csv", "--base", "plane"),
+    "over graph": ("cloud.csv", "--base", "graph"),
+}
+ALL = set(KINDS)
+MAPPED = {"cloud", "rows", "mesh", "anew", "textured anew", "over graph"}
+MESHES = {"mesh", "textured", "textured anew"}
+TEXT = ALL - {"raster", "array"} - MESHES
+
+# Option -> (its value or None, kinds that it acts on). Every other kind refuses it by name.
+BY_INPUT = {
+    "--columns": (None, set()),  # see below: the names differ
+    "--classes": ("2", set()),
+    "--returns": ("first", set()),
+    "--spacing": ("uniform", {"grid", "rows"}),
+    "--rescale-parameters": (None, {"points", "values", "textured"}),
+    "--duplicates": ("mean", ALL - {"raster"}),
+    "--base": ("plane", {"points", "values", "cloud", "grid", "rows", "anew"}),
+    "--largest-part": (None, MESHES),
+    "--orient": (None, MESHES),
+    "--drop-degenerate": (None, MESHES),
+    "--corners": ("sharpest", MAPPED),
+    "--omega": ("0", MAPPED),
+    "--fill-holes": (None, MAPPED | {"raster", "array", "textured", "over plane"}),
+    "--new-parameters": (None, {"points", "cloud", "grid", "rows", "mesh", "textured", "over plane", "over graph"}),
+    "--weld": ("off", MESHES),
+    "--skip-lines": ("0", set()),
+}
+# Options whose work does not depend on what the input is; those on outputs are refused without such an output.
+ANY_INPUT = set("""--tol --within --rms --control-points --degree --shear --max-control-points --max-fits --time-limit
+    --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --feature-file --evaluations --smoothing
+    --input-format --nodata --height-field --correct --fairness --output --force --json --between --threads --quiet
+    --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part --no-orient --no-drop-degenerate
+    --no-new-parameters --no-cad-safe --help --help-all""".split())
+BY_OUTPUT = {
+    "--cell": ("2", ".asc"), "--samples": ("3", ".obj"), "--reflections": (None, ".png"), "--unit": ("m", "STEP"),
+    "--name": ("part", "STEP"), "--step-schema": ("ap214", "STEP"), "--cad-safe": (None, "STEP"),
+    "--cad-tol": ("0.1%", "STEP"),
+}
+
+
+def npy(rows, columns, values):
+    import struct
+    head = f"{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {columns}), }}"
+    head += " " * (63 - (10 + len(head)) % 64) + "\n"
+    return b"\x93NUMPY\1\0" + struct.pack("<H", len(head)) + head.encode() + struct.pack(f"<{len(values)}d", *values)
+
+
+class Inputs(ToolTest):
+    def setUp(self):
+        super().setUp()
+        n, m = 9, 7
+
+        def z(i, j):
+            return 0.3 * math.sin(0.5 * i) * math.cos(0.4 * j)
+
+        grid = [(i, j) for j in range(m) for i in range(n)]
+        self.write("raster.asc", f"ncols {n}\nnrows {m}\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                   + "\n".join(" ".join(repr(z(i, j)) for i in range(n)) for j in reversed(range(m))) + "\n")
+        (self.folder / "heights.npy").write_bytes(npy(m, n, [z(i, j) for j in range(m) for i in range(n)]))
+        self.write("points.csv", "x,y,z,u,v\n" + "".join(f"{i},{j},{z(i, j)},{i / 8},{j / 6}\n" for i, j in grid))
+        self.write("values.csv", "u,v,z\n" + "".join(f"{i / 8},{j / 6},{z(i, j)}\n" for i, j in grid))
+        self.write("cloud.csv", "x,y,z\n" + "".join(f"{i},{j},{z(i, j)}\n" for i, j in grid))
+        self.write("grid.rows", "\n".join("".join(f"{i} {j} {z(i, j)}\n" for i in range(n)) for j in range(m)))
+        self.write("ragged.rows", "\n".join("".join(f"{i} {j} {z(i, j)}\n" for i in range(n - j % 2))
+                                            for j in range(m)))
+        vertices = "".join(f"v {i} {j} {z(i, j)}\n" for i, j in grid)
+        faces = [(n * j + i + 1, n * j + i + 2, n * (j + 1) + i + 2, n * (j + 1) + i + 1)
+                 for j in range(m - 1) for i in range(n - 1)]
+        self.write("mesh.obj", vertices + "".join("f {} {} {} {}\n".format(*f) for f in faces))
+        self.write("textured.obj", vertices + "".join(f"vt {i / 8} {j / 6}\n" for i, j in grid)
+                   + "".join("f " + " ".join(f"{k}/{k}" for k in f) + "\n" for f in faces))
+
+
+class FitOptions(Inputs):
+    def test_every_option_of_fit_is_in_the_table(self):
+        there = options_of(self.run_tool("fit", "--help-all").stdout)
+        self.assertEqual(there - ANY_INPUT - set(BY_INPUT) - set(BY_OUTPUT), set())
+
+    def test_every_option_on_every_kind_of_input(self):
+        there = options_of(self.run_tool("fit", "--help-all").stdout)
+        for kind, (name, *more) in KINDS.items():
+            for option, (value, acts) in BY_INPUT.items():
+                if option not in there or option in more or option in ("--columns", "--skip-lines"):
+                    continue
+                if option == "--base" and "--base" in more:
+                    continue
+                with self.subTest(kind=kind, option=option):
+                    words = [option] if value is None else [option, value]
+                    if kind in acts:
+                        fast = [] if kind == "rows" and option in ("--corners", "--omega") else ["--correct", "off"]
+                        done = self.run_tool("fit", name, *more, *QUICK, *words, *fast, "-q", status=None)
+                        if kind == "values" and option == "--base":  # needs x, y
+                            self.assertIn("without x, y", done.stderr)
+                        else:
+                            self.assertEqual((done.returncode, done.stderr), (0, ""))
+                    else:
+                        said = [] if option in ("--classes", "--returns") else ["does not apply to"]
+                        self.refused("fit", name, *more, *QUICK, *words, words=[name, option[2:], *said])
+
+    def test_columns_are_those_of_text_and_arrays(self):
+        for kind, (name, *more) in KINDS.items():
+            names = {"points.csv": "x,y,z,u,v", "values.csv": "u,v,z"}.get(name, "x,y,z")
+            with self.subTest(kind=kind):
+                if kind in TEXT:
+                    self.run_tool("fit", name, *more, "--columns", names, *QUICK, "--correct", "off", "-q")
+                else:
+                    self.refused("fit", name, *more, "--columns", names, *QUICK, words=[name, "--columns does not apply"])
+
+    def test_options_on_outputs_need_such_an_output(self):
+        for option, (value, output) in BY_OUTPUT.items():
+            with self.subTest(option=option):
+                words = [option] if value is None else [option, value]
+                self.refused("fit", "raster.asc", *QUICK, *words, "-o", "a.json", words=[option, output])
+        self.assertNotIn("a.json", self.files())
+        self.run_tool("fit", "raster.asc", *QUICK, "--cell", "2", "-o", "a.asc")
+        self.run_tool("fit", "raster.asc", *QUICK, "--samples", "2", "-o", "a.obj")
+        self.assertEqual(self.read_raster("a.asc")[0]["cellsize"], 2)
+
+    def test_a_refusal_says_what_the_input_is_and_what_the_option_is_for(self):
+        for words, said in [
+            (["raster.asc", "--base", "plane"], ["a raster of heights", "points without parameters are projected"]),
+            (["mesh.obj", "--base", "plane"], ["to a mesh:"]),
+            (["cloud.csv", "--height-field", "--base", "plane"], ["points fitted as a height field (--height-field)"]),
+            (["textured.obj", "--omega", "0"], ["a mesh with parameters of their own"]),
+            (["cloud.csv", "--base", "cylinder", "--omega", "0"], ["points over a base (--base cylinder)"]),
+            (["grid.rows", "--base", "plane", "--spacing", "uniform"], ["rows of points over a base"]),
+        ]:
+            with self.subTest(words=words):
+                self.refused("fit", *words, *QUICK, words=said)
+
+    def test_what_stored_options_repeat_is_used_where_it_applies(self):
+        self.run_tool("fit", "mesh.obj", *QUICK, "--correct", "off", "--omega", "0", "--corners", "sharpest", "-o", "a.json")
+        self.run_tool("fit", "raster.asc", "--options", "a.json", "-q")
+
+    def test_compare_refuses_the_same(self):
+        size = ("--sizes", "4x4", "--methods", "uniform", "--between", "off")
+        there = options_of(self.run_tool("compare", "--help-all").stdout)
+        for kind, (name, *more) in KINDS.items():
+            for option, (value, acts) in BY_INPUT.items():
+                if option in there and option not in more and kind not in acts and option not in ("--columns",):
+                    if kind in ("raster", "points", "textured", "heights") and option != "--skip-lines":
+                        with self.subTest(kind=kind, option=option):
+                            words = [option] if value is None else [option, value]
+                            self.refused("compare", name, *more, *size, *words, words=[option[2:]])
+
+
+class OtherCommands(Inputs):
+    """(command line, refused option, words); what is named acts where nothing is refused."""
+
+    def check(self, rows):
+        for arguments, words in rows:
+            with self.subTest(arguments=arguments):
+                self.refused(*arguments, words=words)
+
+    def test_fit_curve(self):
+        self.write("curve.csv", "".join(f"{math.cos(k / 9)},{math.sin(k / 9)}\n" for k in range(30)))
+        self.check([(("fit-curve", "curve.csv", "--columns", "x,y", "--control-points", "6", option, value), [option, "STEP"])
+                    for option, value in (("--unit", "m"), ("--name", "a"), ("--step-schema", "ap214"))]
+                   + [(("fit-curve", "curve.csv", "--columns", "x,y", "--classes", "2"), ["classes"]),
+                      (("fit-curve", "mesh.obj", "--columns", "x,y"), ["--columns does not apply"])])
+
+    def test_parameterize(self):
+        self.check([(("parameterize", "mesh.obj", "--lines", "5"), ["--lines", ".png"]),
+                    (("parameterize", "mesh.obj", "--lines", "5", "-o", "a.csv"), ["--lines"]),
+                    (("parameterize", "raster.asc", "--omega", "0"), ["holds no mesh"])])
+        self.run_tool("parameterize", "mesh.obj", "--lines", "5", "-o", "a.svg", "-q")
+
+    def test_surfaces_and_data(self):
+        self.run_tool("fit", "raster.asc", *QUICK, "-o", "s.json", "-q")
+        self.check([
+            (("eval", "s.json", "--at", "1,1", "--columns", "x,y"), ["--columns", "--points"]),
+            (("eval", "s.json", "--at", "1,1", "--nodata", "-1"), ["--nodata", "--points"]),
+            (("eval", "s.json", "--grid", "3x3", "--input-format", "csv"), ["--input-format", "--points"]),
+            (("eval", "s.json", "--at", "1,1", "--unit", "m"), ["--unit", "JSON"]),
+            (("eval", "s.json", "--points", "raster.asc", "--columns", "x,y"), ["--columns", "raster"]),
+            (("distance", "s.json", "cloud.csv", "--samples", "9"), ["--samples", "mesh"]),
+            (("distance", "s.json", "cloud.csv", "--unit", "m"), ["--unit", "JSON"]),
+            (("distance", "s.json", "mesh.obj", "--columns", "x,y,z"), ["--columns"]),
+            (("info", "s.json", "--columns", "x,y,z"), ["--columns", "surface"]),
+            (("info", "s.json", "--unit", "m"), ["--unit", "JSON"]),
+            (("info", "cloud.csv", "--face", "1"), ["--face", "data"]),
+            (("info", "cloud.csv", "--unit", "m"), ["--unit", "data"]),
+            (("info", "raster.asc", "--columns", "x,y,z"), ["--columns", "raster"]),
+            (("convert", "s.json", "-o", "a.csv", "--nodata", "1"), ["--nodata", "surface"]),
+            (("convert", "s.json", "-o", "a.csv", "--cell", "1"), ["--cell", ".asc"]),
+            (("convert", "s.json", "-o", "a.asc", "--grid", "3x3"), ["--grid", ".csv"]),
+            (("convert", "s.json", "-o", "a.csv", "--samples", "3"), ["--samples", ".obj"]),
+            (("convert", "s.json", "-o", "a.csv", "--reflections"), ["--reflections", ".png"]),
+            (("convert", "s.json", "-o", "a.csv", "--cad-safe"), ["--cad-safe", "STEP"]),
+            (("convert", "s.json", "-o", "a.csv", "--unit", "m"), ["--unit", "STEP"]),
+            *[(("convert", "raster.asc", "-o", "a.csv", *option), [option[0], "data"]) for option in (
+                ("--face", "1"), ("--cell", "1"), ("--samples", "3"), ("--reflections",), ("--grid", "3x3"),
+                ("--unit", "m"), ("--name", "a"), ("--step-schema", "ap214"), ("--cad-safe",), ("--cad-tol", "1%"))],
+        ])
+        self.assertNotIn("a.csv", self.files())
+        self.run_tool("distance", "s.json", "mesh.obj", "--samples", "9")
+        self.run_tool("convert", "s.json", "-o", "a.csv", "--grid", "3x3")
+        self.assertEqual(len((self.folder / "a.csv").read_text().splitlines()), 10)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
