@@ -37,7 +37,7 @@ BY_INPUT = {
     "--returns": ("first", set()),
     "--spacing": ("uniform", {"grid", "rows"}),
     "--rescale-parameters": (None, {"points", "values", "textured"}),
-    "--duplicates": ("mean", ALL - {"raster"}),
+    "--duplicates": ("mean", ALL - {"raster", "array"}),
     "--base": ("plane", {"points", "values", "cloud", "grid", "rows", "anew"}),
     "--largest-part": (None, MESHES),
     "--orient": (None, MESHES),
@@ -83,7 +83,9 @@ class Inputs(ToolTest):
         (self.folder / "heights.npy").write_bytes(npy(m, n, [z(i, j) for j in range(m) for i in range(n)]))
         self.write("points.csv", "x,y,z,u,v\n" + "".join(f"{i},{j},{z(i, j)},{i / 8},{j / 6}\n" for i, j in grid))
         self.write("values.csv", "u,v,z\n" + "".join(f"{i / 8},{j / 6},{z(i, j)}\n" for i, j in grid))
-        self.write("cloud.csv", "x,y,z\n" + "".join(f"{i},{j},{z(i, j)}\n" for i, j in grid))
+        # Off the grid, so that no three neighbours lie on a line.
+        self.write("cloud.csv", "x,y,z\n" + "".join(
+            f"{i + 0.2 * math.sin(5 * i + 3 * j)},{j + 0.2 * math.cos(4 * i - 7 * j)},{z(i, j)}\n" for i, j in grid))
         self.write("grid.rows", "\n".join("".join(f"{i} {j} {z(i, j)}\n" for i in range(n)) for j in range(m)))
         self.write("ragged.rows", "\n".join("".join(f"{i} {j} {z(i, j)}\n" for i in range(n - j % 2))
                                             for j in range(m)))
@@ -111,7 +113,9 @@ class FitOptions(Inputs):
                 with self.subTest(kind=kind, option=option):
                     words = [option] if value is None else [option, value]
                     if kind in acts:
-                        fast = [] if kind == "rows" and option in ("--corners", "--omega") else ["--correct", "off"]
+                        # Rows of different lengths are mapped where they are corrected.
+                        mapped = kind == "rows" and option in ("--corners", "--omega", "--fill-holes")
+                        fast = [] if mapped else ["--correct", "off"]
                         done = self.run_tool("fit", name, *more, *QUICK, *words, *fast, "-q", status=None)
                         if kind == "values" and option == "--base":  # needs x, y
                             self.assertIn("without x, y", done.stderr)
@@ -128,7 +132,7 @@ class FitOptions(Inputs):
                 if kind in TEXT:
                     self.run_tool("fit", name, *more, "--columns", names, *QUICK, "--correct", "off", "-q")
                 else:
-                    self.refused("fit", name, *more, "--columns", names, *QUICK, words=[name, "--columns does not apply"])
+                    self.refused("fit", name, *more, "--columns", names, *QUICK, words=[name, "columns"])  # of an array: too few
 
     def test_options_on_outputs_need_such_an_output(self):
         for option, (value, output) in BY_OUTPUT.items():

@@ -12,7 +12,7 @@ OTHERS = {
     "--headless", "--convert-to",  # libreoffice, in messages about spreadsheets
     "--cflags", "--libs", "--static",  # pkg-config
 }
-OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z](?![\w=]*-D)")
+OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z](?![\w-])")
 PAGES = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"]
 
 
