@@ -20,6 +20,7 @@ struct Input {
   bool anew = false;          ///< --new-parameters
   bool corrected = true;      ///< unless --correct off
   bool chord = true;          ///< --spacing
+  bool sheared = false;       ///< --shear, not off
   BaseChoice base{};          ///< --base
 
   bool over_base() const { return base.kind != CloudBase::automatic; }
@@ -56,6 +57,7 @@ Input input_of(const SourceData& data, const FitChoices& choices) {
   input.corrected = choices.correct.value_or(-1) != 0;
   input.chord = choices.spacing.value_or(RowSpacing::chord) == RowSpacing::chord;
   input.base = parse_base(choices.base.value_or("auto"));
+  input.sheared = choices.shear && choices.shear->asked();
   input.raster = std::holds_alternative<Raster>(data.content);
   if (const Mesh* mesh = std::get_if<Mesh>(&data.content)) {
     input.mesh = true;
@@ -94,6 +96,8 @@ constexpr InputRule kInputRules[] = {
      "it closes the holes of a raster, or of what is mapped"},
     {"--corners", [](const Input& i) { return i.mapped(); }, kMap},
     {"--omega", [](const Input& i) { return i.mapped(); }, kMap},
+    {"--shear", [](const Input& i) { return i.raster || i.height_field || !i.sheared; },
+     "it is for height fields, whose x and y it shears"},
 };
 
 struct OutputRule {

@@ -143,6 +143,7 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
   }
   std::vector<std::string> names;
   for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+  for (const std::string& option : option_names(app)) names.push_back(option);  // "help", "version"
   const bool file = word.find_first_of("./") != std::string::npos;
   return with_hint(fmt::format("there is no command '{}'", word), file ? "" : nearest_name(word, names),
                    file ? fmt::format("; a file comes after a command: knotfit fit {}", word) : "",

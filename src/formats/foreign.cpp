@@ -98,7 +98,9 @@ void replace(std::string& text, std::string_view from, const std::string& to) {
     text.replace(at, from.size(), to);
 }
 
-std::string sentence(std::string_view what, std::string_view command, const std::string& path) {
+std::string sentence(std::string_view what, std::string_view command, const std::string& where) {
+  const std::string path =
+      where == "standard input" ? "FILE" : where;  // what came through a pipe has no name
   const std::filesystem::path file(path);
   const std::string out = (file.parent_path() / file.stem()).string();
   std::string text(command);

@@ -47,10 +47,11 @@ BY_INPUT = {
     "--fill-holes": (None, MAPPED | {"raster", "array", "textured", "over plane"}),
     "--new-parameters": (None, {"points", "cloud", "grid", "rows", "mesh", "textured", "over plane", "over graph"}),
     "--weld": ("off", MESHES),
+    "--shear": ("0.1", {"raster", "array", "heights"}),
     "--skip-lines": ("0", set()),
 }
 # Options whose work does not depend on what the input is; those on outputs are refused without such an output.
-ANY_INPUT = set("""--tol --within --rms --control-points --degree --shear --max-control-points --max-fits --time-limit
+ANY_INPUT = set("""--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
     --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --feature-file --evaluations --smoothing
     --input-format --nodata --height-field --correct --fairness --output --force --json --between --threads --quiet
     --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part --no-orient --no-drop-degenerate

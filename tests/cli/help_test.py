@@ -78,6 +78,7 @@ class Help(ToolTest):
         for arguments, words in [
             (["ftt", "a.csv"], ["'ftt'", "did you mean fit?"]), (["fitcurve"], ["did you mean fit-curve?"]),
             (["parametrise"], ["did you mean parameterize?"]), (["Info"], ["did you mean info?"]),
+            (["help", "fit"], ["did you mean --help?"]), (["version"], ["did you mean --version?"]),
             (["points.csv"], ["'points.csv'", "knotfit fit points.csv"]),
             (["zzzzz"], ["'zzzzz'", "knotfit --help"]),
             (["fit", "a.csv", "--tolerance", "1%"], ["--tolerance", "did you mean --tol?"]),

@@ -94,6 +94,7 @@ TEST(ForeignFiles, AreToldByTheirExtensionWhereTheBytesTellNothing) {
 TEST(ForeignFiles, NamesAreQuotedForTheShell) {
   refuses("my scan's.tif", "II*\0"s, "AAIGrid 'my scan'\\''s.tif' 'my scan'\\''s.asc'");
   refuses("deep/er/a.laz", las_header(131), "pdal translate deep/er/a.laz deep/er/a.las");
+  refuses("standard input", "ASTM-E57", "convert it: pdal translate FILE FILE.las");
   refuses("-a.e57", "ASTM-E57", "pdal translate '-a.e57' '-a.las'");
 }
 
