@@ -243,6 +243,16 @@ int exit_status(const FitResult& result) {
   }
 }
 
+// Those that act on outputs of their kind alone. The others are stored in the surface's JSON and in --json, to be
+// repeated where such an output is asked for.
+std::vector<std::string> options_of_outputs(const FitArguments& arguments,
+                                            const std::vector<OutputFile>& files) {
+  std::vector<std::string> given = arguments.choices.input.given;
+  if (arguments.json || asks_for(files, OutputKind::surface))
+    std::erase_if(given, [](const std::string& option) { return option != "--reflections"; });
+  return given;
+}
+
 void complain(const std::string& message) {
   std::fprintf(stderr, "knotfit: %s\n", message.c_str());
 }
@@ -254,7 +264,7 @@ int run_fit(const FitArguments& arguments) {
   bool default_tolerance = false;
   const FitChoices choices = complete(arguments, default_tolerance);
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
-  refuse_idle_output_options(arguments.choices.input.given, files);
+  refuse_idle_output_options(options_of_outputs(arguments, files), files);
   StopOnSignal stop;
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));

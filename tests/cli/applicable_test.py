@@ -139,8 +139,12 @@ class FitOptions(Inputs):
         for option, (value, output) in BY_OUTPUT.items():
             with self.subTest(option=option):
                 words = [option] if value is None else [option, value]
-                self.refused("fit", "raster.asc", *QUICK, *words, "-o", "a.json", words=[option, output])
-        self.assertNotIn("a.json", self.files())
+                self.refused("fit", "raster.asc", *QUICK, *words, "-o", "a.csv", words=[option, output])
+                if option != "--reflections":  # the others are stored, to be repeated with such an output
+                    stored = self.run_json("fit", "raster.asc", *QUICK, *words)["options"]
+                    self.assertIsNotNone(stored[option[2:].replace("-", "_")])
+        self.refused("fit", "raster.asc", *QUICK, "--reflections", "-o", "a.json", words=["--reflections"])
+        self.assertNotIn("a.csv", self.files())
         self.run_tool("fit", "raster.asc", *QUICK, "--cell", "2", "-o", "a.asc")
         self.run_tool("fit", "raster.asc", *QUICK, "--samples", "2", "-o", "a.obj")
         self.assertEqual(self.read_raster("a.asc")[0]["cellsize"], 2)
