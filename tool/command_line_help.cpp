@@ -169,10 +169,12 @@ std::string help_of(const CLI::App& app, bool everything) {
 
 std::string usage_message(const CLI::App& app, int argc, const char* const* argv, const std::string& what) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
-  if (chosen.empty()) {
-    if (argc > 1) return unknown_command(app, argv[1]);
-    return what + "; see knotfit --help";
-  }
+  const std::string first = argc > 1 ? argv[1] : "";
+  // A command comes first.
+  if (!first.empty() && (chosen.empty() || chosen.front()->get_name() != first) &&
+      !has(option_names(app), without_value(first)))
+    return unknown_command(app, first);
+  if (chosen.empty()) return what + "; see knotfit --help";
   const CLI::App& command = *chosen.front();
   for (const std::string& word : app.remaining(true))
     if (is_option(word)) return unknown_option(app, command, word);

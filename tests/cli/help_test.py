@@ -91,7 +91,9 @@ class Help(ToolTest):
             (["info", "a.csv", "--jsn"], ["did you mean --json?"]),
             (["eval", "a.json", "--tol", "1%"], ["eval has no option --tol", "fit"]),
             (["fit", "a.csv", "--zzzzzzzz"], ["fit has no option --zzzzzzzz", "--help-all"]),
-            (["--tol", "1%"], ["--tol", "comes after a command", "fit"]), (["--vresion"], ["did you mean --version?"]),
+            (["--tol", "1%"], ["--tol", "comes after a command", "fit"]),
+            (["--tol", "1%", "fit", "a.csv"], ["--tol", "comes after a command", "fit"]),
+            (["ftt", "fit"], ["'ftt'"]), (["--vresion"], ["did you mean --version?"]),
         ]:
             with self.subTest(arguments=arguments):
                 self.refused(*arguments, words=words)
