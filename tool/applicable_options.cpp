@@ -131,7 +131,7 @@ void refuse_given(const std::vector<std::string>& given, std::initializer_list<s
 }
 
 void refuse_data_options(const std::vector<std::string>& given, const std::string& what) {
-  refuse_given(given, {"--columns", "--nodata", "--classes", "--returns"}, what);
+  refuse_given(given, {"--columns", "--nodata", "--classes", "--returns", "--skip-lines", "--weld"}, what);
 }
 
 void refuse_idle_reading(const SourceData& data, const std::string& path, const InputOptions& options) {
@@ -145,6 +145,9 @@ void refuse_idle_reading(const SourceData& data, const std::string& path, const 
         raster ? "a raster of heights" : fmt::format("a file of format {}", data.format), purpose));
   };
   refuse_unless(text || array, "--columns", "it says what the columns of text and of n x k arrays are");
+  refuse_unless(text, "--skip-lines", "it leaves out the first lines of points in text");
+  refuse_unless(text, "--block", "it chooses a block of points in text");
+  refuse_unless(std::holds_alternative<Mesh>(data.content), "--weld", "it joins the vertices of meshes");
   refuse_unless(!(data.format == "off" || data.format == "stl"), "--nodata",
                 "it is what stands for missing data among points and heights");
 }

@@ -48,7 +48,7 @@ BY_INPUT = {
     "--new-parameters": (None, {"points", "cloud", "grid", "rows", "mesh", "textured", "over plane", "over graph"}),
     "--weld": ("off", MESHES),
     "--shear": ("0.1", {"raster", "array", "heights"}),
-    "--skip-lines": ("0", set()),
+    "--skip-lines": ("1", TEXT),
 }
 # Options whose work does not depend on what the input is; those on outputs are refused without such an output.
 ANY_INPUT = set("""--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
@@ -107,9 +107,9 @@ class FitOptions(Inputs):
         there = options_of(self.run_tool("fit", "--help-all").stdout)
         for kind, (name, *more) in KINDS.items():
             for option, (value, acts) in BY_INPUT.items():
-                if option not in there or option in more or option in ("--columns", "--skip-lines"):
+                if option not in there or option in more or option == "--columns":
                     continue
-                if option == "--base" and "--base" in more:
+                if option == "--base" and "--base" in more or option == "--skip-lines" and kind in acts:
                     continue
                 with self.subTest(kind=kind, option=option):
                     words = [option] if value is None else [option, value]
@@ -123,7 +123,7 @@ class FitOptions(Inputs):
                         else:
                             self.assertEqual((done.returncode, done.stderr), (0, ""))
                     else:
-                        said = [] if option in ("--classes", "--returns") else ["does not apply to"]
+                        said = [] if option in ("--classes", "--returns", "--weld") else ["does not apply to"]
                         self.refused("fit", name, *more, *QUICK, *words, words=[name, option[2:], *said])
 
     def test_columns_are_those_of_text_and_arrays(self):
@@ -170,8 +170,8 @@ class FitOptions(Inputs):
         there = options_of(self.run_tool("compare", "--help-all").stdout)
         for kind, (name, *more) in KINDS.items():
             for option, (value, acts) in BY_INPUT.items():
-                if option in there and option not in more and kind not in acts and option not in ("--columns",):
-                    if kind in ("raster", "points", "textured", "heights") and option != "--skip-lines":
+                if option in there and option not in more and kind not in acts and option != "--columns":
+                    if kind in ("raster", "points", "textured", "heights"):
                         with self.subTest(kind=kind, option=option):
                             words = [option] if value is None else [option, value]
                             self.refused("compare", name, *more, *size, *words, words=[option[2:]])
