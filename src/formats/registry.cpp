@@ -130,7 +130,9 @@ void refuse_foreign_beginning(const std::string& path) {
 
 void check_filters(const FileBytes& file, const Format& format, const ReadOptions& options) {
   if (format.read != read_las && !(options.classes.empty() && options.returns.empty()))
-    throw InvalidInput(file.path() + ": classes and returns are asked for, but only LAS files have them");
+    throw InvalidInput(
+        file.path() +
+        ": classes and returns (--classes, --returns) are asked for, but only LAS files have them");
 }
 
 SourceData read_as(const FileBytes& file, const ReadOptions& options) {

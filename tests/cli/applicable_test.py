@@ -102,6 +102,8 @@ class FitOptions(Inputs):
     def test_every_option_of_fit_is_in_the_table(self):
         there = options_of(self.run_tool("fit", "--help-all").stdout)
         self.assertEqual(there - ANY_INPUT - set(BY_INPUT) - set(BY_OUTPUT), set())
+        of_compare = options_of(self.run_tool("compare", "--help-all").stdout)
+        self.assertEqual(of_compare - there, {"--sizes", "--tolerances", "--methods"})
 
     def test_every_option_on_every_kind_of_input(self):
         there = options_of(self.run_tool("fit", "--help-all").stdout)
@@ -177,58 +179,100 @@ class FitOptions(Inputs):
                             self.refused("compare", name, *more, *size, *words, words=[option[2:]])
 
 
+# Options of the other commands that act whatever the input is. Those of REFUSED are refused by some inputs or outputs.
+ALWAYS = {
+    "fit-curve": """--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit --knots
+        --knots-t --compare --feature --feature-file --evaluations --smoothing --input-format --closed --function --spacing
+        --corrected --output --force --json --threads --quiet""",
+    "parameterize": """--largest-part --orient --drop-degenerate --corners --omega --fill-holes --map --input-format --output
+        --force --json --threads --quiet --weld""",
+    "distance": "--face --input-format --tol --output --force --json --threads --quiet",
+    "eval": "--face --at --points --grid --clamp --derivatives --derivative --normals --curvature --output --force --json --threads",
+    "info": "--input-format --json",
+    "convert": "--input-format --output --force",
+}
+POINTS = ("--columns", "x,y")
+REFUSED = [  # command line, the option that is refused, other words of the message
+    (("fit-curve", "curve.csv", *POINTS, "--control-points", "6", "--unit", "m"), "--unit", ["STEP"]),
+    (("fit-curve", "curve.csv", *POINTS, "--control-points", "6", "--name", "a"), "--name", ["STEP"]),
+    (("fit-curve", "curve.csv", *POINTS, "--control-points", "6", "--step-schema", "ap214"), "--step-schema", ["STEP"]),
+    (("fit-curve", "curve.csv", *POINTS, "--classes", "2"), "--classes", ["LAS"]),
+    (("fit-curve", "curve.csv", *POINTS, "--returns", "last"), "--returns", ["LAS"]),
+    (("fit-curve", "mesh.obj", *POINTS), "--columns", ["does not apply"]),
+    (("fit-curve", "mesh.off", "--nodata", "0"), "--nodata", ["does not apply"]),
+    (("fit-curve", "raster.asc", "--block", "1"), "--block", ["does not apply"]),
+    (("fit-curve", "raster.asc", "--skip-lines", "1"), "--skip-lines", ["does not apply"]),
+    (("parameterize", "mesh.obj", "--lines", "5"), "--lines", [".png"]),
+    (("parameterize", "mesh.obj", "--lines", "5", "-o", "a.csv"), "--lines", [".png"]),
+    (("distance", "s.json", "cloud.csv", "--samples", "9"), "--samples", ["mesh"]),
+    (("distance", "s.json", "cloud.csv", "--unit", "m"), "--unit", ["JSON"]),
+    (("distance", "s.json", "mesh.obj", "--columns", "x,y,z"), "--columns", ["obj"]),
+    (("distance", "s.json", "mesh.off", "--nodata", "0"), "--nodata", ["off"]),
+    (("distance", "s.json", "cloud.csv", "--classes", "2"), "--classes", ["LAS"]),
+    (("distance", "s.json", "cloud.csv", "--returns", "1"), "--returns", ["LAS"]),
+    (("distance", "s.json", "cloud.csv", "--weld", "off"), "--weld", []),
+    (("distance", "s.json", "heights.npy", "--skip-lines", "1"), "--skip-lines", []),
+    (("eval", "s.json", "--at", "1,1", "--columns", "x,y"), "--columns", ["--points"]),
+    (("eval", "s.json", "--at", "1,1", "--nodata", "-1"), "--nodata", ["--points"]),
+    (("eval", "s.json", "--at", "1,1", "--classes", "2"), "--classes", ["--points"]),
+    (("eval", "s.json", "--at", "1,1", "--returns", "1"), "--returns", ["--points"]),
+    (("eval", "s.json", "--at", "1,1", "--skip-lines", "1"), "--skip-lines", ["--points"]),
+    (("eval", "s.json", "--grid", "3x3", "--input-format", "csv"), "--input-format", ["--points"]),
+    (("eval", "s.json", "--at", "1,1", "--unit", "m"), "--unit", ["JSON"]),
+    (("eval", "s.json", "--points", "raster.asc", "--columns", "x,y"), "--columns", ["raster"]),
+    *[(("info", "s.json", option, value), option, ["surface"]) for option, value in (
+        ("--columns", "x,y,z"), ("--nodata", "0"), ("--classes", "2"), ("--returns", "1"), ("--skip-lines", "1"),
+        ("--weld", "off"))],
+    (("info", "s.json", "--unit", "m"), "--unit", ["JSON"]),
+    (("info", "cloud.csv", "--face", "1"), "--face", ["data"]),
+    (("info", "cloud.csv", "--unit", "m"), "--unit", ["data"]),
+    (("info", "raster.asc", "--columns", "x,y,z"), "--columns", ["raster"]),
+    *[(("convert", "s.json", "-o", "a.csv", option, value), option, ["surface"]) for option, value in (
+        ("--columns", "x,y,z"), ("--nodata", "0"), ("--classes", "2"), ("--returns", "1"), ("--skip-lines", "1"),
+        ("--weld", "off"))],
+    (("convert", "s.json", "-o", "a.csv", "--cell", "1"), "--cell", [".asc"]),
+    (("convert", "s.json", "-o", "a.asc", "--grid", "3x3"), "--grid", [".csv"]),
+    (("convert", "s.json", "-o", "a.csv", "--samples", "3"), "--samples", [".obj"]),
+    (("convert", "s.json", "-o", "a.csv", "--reflections"), "--reflections", [".png"]),
+    (("convert", "s.json", "-o", "a.csv", "--cad-safe"), "--cad-safe", ["STEP"]),
+    (("convert", "s.json", "-o", "a.csv", "--unit", "m"), "--unit", ["STEP"]),
+    *[(("convert", "raster.asc", "-o", "a.csv", *option), option[0], ["data"]) for option in (
+        ("--face", "1"), ("--cell", "1"), ("--samples", "3"), ("--reflections",), ("--grid", "3x3"), ("--unit", "m"),
+        ("--name", "a"), ("--step-schema", "ap214"), ("--cad-safe",), ("--cad-tol", "1%"))],
+]
+
+
 class OtherCommands(Inputs):
-    """(command line, refused option, words); what is named acts where nothing is refused."""
-
-    def check(self, rows):
-        for arguments, words in rows:
-            with self.subTest(arguments=arguments):
-                self.refused(*arguments, words=words)
-
-    def test_fit_curve(self):
+    def setUp(self):
+        super().setUp()
         self.write("curve.csv", "".join(f"{math.cos(k / 9)},{math.sin(k / 9)}\n" for k in range(30)))
-        self.check([(("fit-curve", "curve.csv", "--columns", "x,y", "--control-points", "6", option, value), [option, "STEP"])
-                    for option, value in (("--unit", "m"), ("--name", "a"), ("--step-schema", "ap214"))]
-                   + [(("fit-curve", "curve.csv", "--columns", "x,y", "--classes", "2"), ["classes"]),
-                      (("fit-curve", "mesh.obj", "--columns", "x,y"), ["--columns does not apply"])])
-
-    def test_parameterize(self):
-        self.check([(("parameterize", "mesh.obj", "--lines", "5"), ["--lines", ".png"]),
-                    (("parameterize", "mesh.obj", "--lines", "5", "-o", "a.csv"), ["--lines"]),
-                    (("parameterize", "raster.asc", "--omega", "0"), ["holds no mesh"])])
-        self.run_tool("parameterize", "mesh.obj", "--lines", "5", "-o", "a.svg", "-q")
-
-    def test_surfaces_and_data(self):
+        self.write("mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         self.run_tool("fit", "raster.asc", *QUICK, "-o", "s.json", "-q")
-        self.check([
-            (("eval", "s.json", "--at", "1,1", "--columns", "x,y"), ["--columns", "--points"]),
-            (("eval", "s.json", "--at", "1,1", "--nodata", "-1"), ["--nodata", "--points"]),
-            (("eval", "s.json", "--grid", "3x3", "--input-format", "csv"), ["--input-format", "--points"]),
-            (("eval", "s.json", "--at", "1,1", "--unit", "m"), ["--unit", "JSON"]),
-            (("eval", "s.json", "--points", "raster.asc", "--columns", "x,y"), ["--columns", "raster"]),
-            (("distance", "s.json", "cloud.csv", "--samples", "9"), ["--samples", "mesh"]),
-            (("distance", "s.json", "cloud.csv", "--unit", "m"), ["--unit", "JSON"]),
-            (("distance", "s.json", "mesh.obj", "--columns", "x,y,z"), ["--columns"]),
-            (("info", "s.json", "--columns", "x,y,z"), ["--columns", "surface"]),
-            (("info", "s.json", "--unit", "m"), ["--unit", "JSON"]),
-            (("info", "cloud.csv", "--face", "1"), ["--face", "data"]),
-            (("info", "cloud.csv", "--unit", "m"), ["--unit", "data"]),
-            (("info", "raster.asc", "--columns", "x,y,z"), ["--columns", "raster"]),
-            (("convert", "s.json", "-o", "a.csv", "--nodata", "1"), ["--nodata", "surface"]),
-            (("convert", "s.json", "-o", "a.csv", "--cell", "1"), ["--cell", ".asc"]),
-            (("convert", "s.json", "-o", "a.asc", "--grid", "3x3"), ["--grid", ".csv"]),
-            (("convert", "s.json", "-o", "a.csv", "--samples", "3"), ["--samples", ".obj"]),
-            (("convert", "s.json", "-o", "a.csv", "--reflections"), ["--reflections", ".png"]),
-            (("convert", "s.json", "-o", "a.csv", "--cad-safe"), ["--cad-safe", "STEP"]),
-            (("convert", "s.json", "-o", "a.csv", "--unit", "m"), ["--unit", "STEP"]),
-            *[(("convert", "raster.asc", "-o", "a.csv", *option), [option[0], "data"]) for option in (
-                ("--face", "1"), ("--cell", "1"), ("--samples", "3"), ("--reflections",), ("--grid", "3x3"),
-                ("--unit", "m"), ("--name", "a"), ("--step-schema", "ap214"), ("--cad-safe",), ("--cad-tol", "1%"))],
-        ])
-        self.assertNotIn("a.csv", self.files())
+
+    def test_every_option_is_in_the_table(self):
+        for command, always in ALWAYS.items():
+            with self.subTest(command=command):
+                there = options_of(self.run_tool(command, "--help-all").stdout) - {"--help", "--help-all"}
+                refused = {option for line, option, _ in REFUSED if line[0] == command}
+                self.assertEqual(there - set(always.split()) - refused, set())
+                self.assertEqual(set(always.split()) & refused - {"--input-format"}, set())
+
+    def test_what_does_not_apply_is_refused_by_name(self):
+        there = {command: options_of(self.run_tool(command, "--help-all").stdout) for command in ALWAYS}
+        before = self.files()
+        for line, option, words in REFUSED:
+            if option in there[line[0]]:
+                with self.subTest(line=line):
+                    self.refused(*line, words=[option, *words])
+        self.assertEqual(self.files(), before)
+
+    def test_where_they_apply_they_act(self):
+        self.run_tool("parameterize", "mesh.obj", "--lines", "5", "-o", "a.svg", "-q")
         self.run_tool("distance", "s.json", "mesh.obj", "--samples", "9")
         self.run_tool("convert", "s.json", "-o", "a.csv", "--grid", "3x3")
         self.assertEqual(len((self.folder / "a.csv").read_text().splitlines()), 10)
+        out = self.run_tool("eval", "s.json", "--points", "cloud.csv", "--columns", "x,y,z", "--clamp").stdout
+        self.assertEqual(len(self.read_csv(out)), 63)
 
 
 if __name__ == "__main__":
