@@ -62,14 +62,13 @@ void add_compare(CLI::App& app, CompareArguments& compare) {
       "method's "
       "knot lines over its errors in one colour scale",
       "Output", [&](const std::string& t) { compare.folder = t; });
-  add_flag(app, "--force", "Replace the files of a comparison that is there", "Output",
-           [&] { compare.force = true; });
+  add_force(app, compare.force, "Replace the files of a comparison that is there");
   add_flag(app, "--json", "One JSON object on standard output in place of the table", "Output",
            [&] { compare.json = true; });
   add(app, "--between", one_of(kSwitch), "Measure the surfaces between the points too; default on", "Running",
       [&](const std::string& t) { c.between = parse_named(kSwitch, t); });
   add_threads(app, compare.threads);
-  add_flag(app, "--quiet", "No progress and no table", "Running", [&] { compare.quiet = true; });
+  add_quiet(app, compare.quiet, "No progress and no table");
 }
 
 }  // namespace knotfit::tool

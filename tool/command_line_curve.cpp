@@ -96,7 +96,7 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
   add_flag(app, "--json", "One JSON object on standard output in place of the summary", "Output",
            [&] { curve.json = true; });
   add_threads(app, curve.threads);
-  add_flag(app, "--quiet", "No progress and no summary", "Running", [&] { curve.quiet = true; });
+  add_quiet(app, curve.quiet, "No progress and no summary");
 }
 
 }  // namespace knotfit::tool

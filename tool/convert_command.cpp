@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "applicable_options.h"
 #include "cad_output.h"
 #include "commands.h"
 #include "data_conversion.h"
@@ -13,6 +14,7 @@
 #include "mesh_outputs.h"
 #include "outputs.h"
 #include "sampling.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 namespace knotfit::tool {
 namespace {
@@ -63,6 +65,10 @@ std::string picture_title(const SurfaceDocument& document, const std::string& pa
 }
 
 void convert_surface(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+  refuse_data_options(arguments.read.given, "a surface: it says how data is read");
+  std::vector<std::string> given = arguments.read.given;
+  if (is_cad_file(arguments.input)) std::erase(given, "--unit");  // that of the input
+  refuse_idle_output_options(given, files);
   const SurfaceDocument document =
       read_one_surface(arguments.input, {.unit = arguments.cad.unit, .face = arguments.face});
   const bool force = arguments.output.force;
@@ -99,7 +105,14 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
   }
 }
 
-void convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+// Data has no JSON: standard output gets its points.
+void convert_data(const ConvertArguments& arguments, std::vector<OutputFile> files) {
+  for (OutputFile& file : files)
+    if (is_dash(file.path)) file.kind = OutputKind::table;
+  refuse_given(arguments.read.given,
+               {"--face", "--cell", "--samples", "--reflections", "--grid", "--unit", "--name",
+                "--step-schema", "--cad-safe", "--cad-tol"},
+               "data: it is for surfaces");
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::surface || file.kind == OutputKind::picture || file.kind == OutputKind::cad)
       throw InvalidInput(fmt::format(
@@ -110,7 +123,7 @@ void convert_data(const ConvertArguments& arguments, const std::vector<OutputFil
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::mesh && mesh == nullptr)
       throw InvalidInput(fmt::format("{}: a {} holds a mesh or a surface, and {} holds neither", file.path,
-                                     file.extension, arguments.input));
+                                     file.extension, input_name(arguments.input)));
   for (const OutputFile& file : files) {
     if (file.kind == OutputKind::mesh)
       write_mesh_file(file, arguments.output.force, *mesh);
@@ -125,13 +138,11 @@ void convert_data(const ConvertArguments& arguments, const std::vector<OutputFil
 
 int run_convert(const ConvertArguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
-  if (holds_surfaces(arguments.input))
+  if (holds_surfaces(arguments.input, arguments.read))
     convert_surface(arguments, files);
   else
     convert_data(arguments, files);
-  std::string text;
-  for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
-  print(text);
+  print_summary(wrote(files), files);
   return kReached;
 }
 

@@ -12,6 +12,7 @@
 #include "knotfit/curve_picture.h"
 #include "knotfit/errors.h"
 #include "knotfit/version.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -119,8 +120,8 @@ std::string curve_to_json(const CurveReport& r) {
 
 std::string curve_to_text(const CurveReport& r) {
   const CurveFitResult& f = r.result;
-  std::string text = fmt::format("{}: {} points, {}{}, diagonal {:.6g}\n", r.arguments.input, r.points.size(),
-                                 f.closed ? "closed, " : "",
+  std::string text = fmt::format("{}: {} points, {}{}, diagonal {:.6g}\n", input_name(r.arguments.input),
+                                 r.points.size(), f.closed ? "closed, " : "",
                                  r.points.function         ? "y over x"
                                  : r.points.dimension == 2 ? "planar"
                                                            : "in space",
@@ -139,8 +140,7 @@ std::string curve_to_text(const CurveReport& r) {
   text +=
       fmt::format("status: {}: {}\n{} fits, {:.2f} s\n", to_string(f.status), f.message, f.fits, r.seconds);
   for (const std::string& note : f.notes) text += "note: " + note + "\n";
-  for (const std::string& path : r.outputs) text += "wrote " + path + "\n";
-  return text;
+  return text + wrote(r.outputs);
 }
 
 void check_curve_output(const OutputFile& file) {

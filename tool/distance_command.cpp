@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "applicable_options.h"
 #include "commands.h"
 #include "data_conversion.h"
 #include "exit_status.h"
@@ -15,6 +16,7 @@
 #include "outputs.h"
 #include "sampling.h"
 #include "signals.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 #include "terminal_progress.h"
 namespace knotfit::tool {
@@ -117,11 +119,15 @@ int run_distance(const DistanceArguments& arguments) {
   terminal.report({.stage = "read"});
   const Control control = terminal.control(stop.token());
 
+  refuse_idle_surface_options(arguments.surface, arguments.source);
   const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
   const Surface surface = surface_in_space(
       document, fmt::format("{}: the surface has {} coordinates; distances are of surfaces in space",
                             arguments.surface, document.surface.dimension()));
   const SourceData data = read_input(arguments.data, arguments.input);
+  if (!std::holds_alternative<Mesh>(data.content))
+    refuse_given(arguments.input.given, {"--samples"},
+                 "points: it is for the distance from the surface to a mesh");
   const std::vector<double> points = points_of(data);
   PointDistances distances;
   DistanceSummary back;
@@ -131,7 +137,7 @@ int run_distance(const DistanceArguments& arguments) {
     distances = point_distances(surface, points, {}, {}, control);
     if (both && !distances.stopped) back = mesh_distances(surface, *mesh, {}, arguments.samples, control);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.data + ": " + e.what());
+    throw InvalidInput(input_name(arguments.data) + ": " + e.what());
   }
   terminal.clear();
   if (stop.requested() || distances.stopped) return kStopped;
@@ -163,7 +169,7 @@ int run_distance(const DistanceArguments& arguments) {
                       document.map, diagonal, false);
     if (arguments.tolerance)
       text += fmt::format("within {:.6g}: {:.6g} % of the points\n", tolerance, 100 * within);
-    for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
+    text += wrote(files);
     print(text);
   }
   return within < 1 ? kNotReached : kReached;

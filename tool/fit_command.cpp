@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "applicable_options.h"
 #include "cad_output.h"
 #include "commands.h"
 #include "exit_status.h"
@@ -18,6 +19,7 @@
 #include "outputs.h"
 #include "sampling.h"
 #include "signals.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 #include "terminal_progress.h"
 #include "text_values.h"
@@ -241,6 +243,16 @@ int exit_status(const FitResult& result) {
   }
 }
 
+// Those that act on outputs of their kind alone. The others are stored in the surface's JSON and in --json, to be
+// repeated where such an output is asked for.
+std::vector<std::string> options_of_outputs(const FitArguments& arguments,
+                                            const std::vector<OutputFile>& files) {
+  std::vector<std::string> given = arguments.choices.input.given;
+  if (arguments.json || asks_for(files, OutputKind::surface))
+    std::erase_if(given, [](const std::string& option) { return option != "--reflections"; });
+  return given;
+}
+
 void complain(const std::string& message) {
   std::fprintf(stderr, "knotfit: %s\n", message.c_str());
 }
@@ -252,6 +264,7 @@ int run_fit(const FitArguments& arguments) {
   bool default_tolerance = false;
   const FitChoices choices = complete(arguments, default_tolerance);
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  refuse_idle_output_options(options_of_outputs(arguments, files), files);
   StopOnSignal stop;
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
@@ -305,7 +318,7 @@ int run_fit(const FitArguments& arguments) {
     }
     if (input.all_points.size() > 0) judge_all_points(result, residuals_of_every_point(result, input));
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.input + ": " + e.what());
+    throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
   terminal.report({.stage = "write"});
 
@@ -331,7 +344,7 @@ int run_fit(const FitArguments& arguments) {
   if (arguments.json)
     print(report_to_json(report) + "\n");
   else if (!arguments.quiet)
-    print(report_to_text(report));
+    print_summary(report_to_text(report), files);
   return status;
 }
 

@@ -2,16 +2,19 @@
 #include <cstdio>
 #include <tuple>
 
+#include "applicable_options.h"
 #include "commands.h"
 #include "curve_report.h"
 #include "exit_status.h"
 #include "feature_file.h"
+#include "input.h"
 #include "knotfit/compare.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
 #include "knotfit/parameterize_curve.h"
 #include "knotfit/threads.h"
 #include "signals.h"
+#include "standard_streams.h"
 #include "terminal_progress.h"
 namespace knotfit::tool {
 namespace {
@@ -48,18 +51,11 @@ CurveFitOptions curve_options(const CurveArguments& arguments) {
 
 CurvePoints read_points(const CurveArguments& arguments) {
   const FitChoices& c = arguments.choices;
-  ReadOptions read;
-  read.format = c.input.format.value_or("");
-  read.columns = c.input.columns.value_or(std::vector<std::string>{});
-  read.nodata = c.input.nodata;
-  read.classes = c.input.classes.value_or(std::vector<int>{});
-  read.returns = c.input.returns.value_or(std::vector<int>{});
-  read.places = true;  // x, y alone
-  const SourceData data = read_data(arguments.input, read);
+  const SourceData data = read_input(arguments.input, c.input, /*places=*/true);  // x, y alone
   try {
     return curve_points_of(data, c.spacing.value_or(RowSpacing::chord), arguments.closed, arguments.function);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.input + ": " + e.what());
+    throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
 }
 
@@ -105,6 +101,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   for (const OutputFile& file : files) check_curve_output(file);
+  refuse_idle_output_options(arguments.choices.input.given, files);
   if (!arguments.compare.empty() && !files.empty())
     throw InvalidInput("--compare prints a table; outputs (-o) are of one curve");
   StopOnSignal stop;
@@ -123,7 +120,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   try {
     result = fit_curve(points, options, control);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.input + ": " + e.what());
+    throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
   terminal.clear();
   int status = result.status == Status::stopped      ? kStopped
@@ -143,7 +140,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   if (arguments.json)
     print(curve_to_json(report) + "\n");
   else if (!arguments.quiet)
-    print(curve_to_text(report));
+    print_summary(curve_to_text(report), files);
   return status;
 }
 

@@ -6,12 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "applicable_options.h"
 #include "commands.h"
 #include "exit_status.h"
 #include "input.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
 #include "outputs.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 #include "text_values.h"
 namespace knotfit::tool {
@@ -258,7 +260,7 @@ std::string surfaces_info(const InfoArguments& arguments) {
   std::string text;
   for (std::size_t k = 0; k < documents.size(); ++k)
     text +=
-        surface_text(documents[k], documents.size() == 1 ? arguments.file
+        surface_text(documents[k], documents.size() == 1 ? input_name(arguments.file)
                                                          : fmt::format("{}, face {}", arguments.file, k + 1));
   if (is_cad_file(arguments.file))
     text += fmt::format("unit: {}\n", name_of(kUnits, arguments.source.unit.value_or(CadUnit::millimetre)));
@@ -268,7 +270,15 @@ std::string surfaces_info(const InfoArguments& arguments) {
 }  // namespace
 
 int run_info(const InfoArguments& arguments) {
-  print(holds_surfaces(arguments.file) ? surfaces_info(arguments) : data_info(arguments));
+  const bool surfaces = holds_surfaces(arguments.file, arguments.input);
+  if (surfaces) {
+    refuse_data_options(arguments.input.given, "a surface: it says how data is read");
+    refuse_idle_surface_options(arguments.file, arguments.source);
+  } else {
+    refuse_given(arguments.input.given, {"--unit", "--face"},
+                 "data: it is for surfaces of STEP and IGES files");
+  }
+  print(surfaces ? surfaces_info(arguments) : data_info(arguments));
   return kReached;
 }
 

@@ -2,9 +2,12 @@
 
 #include <cmath>
 
+#include "applicable_options.h"
 #include "cloud_input.h"
+#include "formats/readers.h"
 #include "knotfit/errors.h"
 #include "knotfit/parameterize.h"
+#include "standard_streams.h"
 namespace knotfit::tool {
 namespace {
 
@@ -76,14 +79,21 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
 
 }  // namespace
 
-SourceData read_input(const std::string& path, const InputOptions& options) {
+SourceData read_source(const std::string& path, const ReadOptions& options) {
+  return is_dash(path) ? read_bytes(standard_input(), options) : read_data(path, options);
+}
+
+SourceData read_input(const std::string& path, const InputOptions& options, bool places) {
   ReadOptions read;
   read.format = options.format.value_or("");
   read.columns = options.columns.value_or(std::vector<std::string>{});
   read.nodata = options.nodata;
   read.classes = options.classes.value_or(std::vector<int>{});
   read.returns = options.returns.value_or(std::vector<int>{});
-  return read_data(path, read);
+  read.places = places;
+  SourceData data = read_source(path, read);
+  refuse_idle_reading(data, path, options);
+  return data;
 }
 
 Index count_holes(const SourceData& data) {
@@ -128,6 +138,7 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
   input.summary.format = data.format;
   input.summary.holes = count_holes(data);
   try {
+    refuse_idle_options(data, choices);
     const Mesh* mesh = std::get_if<Mesh>(&data.content);
     input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
                                    : parameterize(data, choices, control, input.mesh);
@@ -143,7 +154,7 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
     input.summary.duplicates = settle_duplicates(input.points, rule, tolerance);
     if (input.summary.duplicates > 0) input.all_points = std::move(before);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(path + ": " + e.what());
+    throw InvalidInput(input_name(path) + ": " + e.what());
   }
   input.summary.points = input.points.size();
   if (Raster* raster = std::get_if<Raster>(&data.content)) input.raster = std::move(*raster);

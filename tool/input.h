@@ -29,7 +29,11 @@ struct FitInput {
 };
 
 /// read_data with the tool's options.
-SourceData read_input(const std::string& path, const InputOptions& options);
+/// \param places  z may be missing, as ReadOptions::places
+SourceData read_input(const std::string& path, const InputOptions& options, bool places = false);
+
+/// read_data, and of "-" standard input.
+SourceData read_source(const std::string& path, const ReadOptions& options);
 
 /// \param choices  completed: tolerance present unless a size or knots make it absent
 /// \throws FileError, InvalidInput  the message begins with the path

@@ -66,6 +66,8 @@ struct InputOptions {
   std::optional<std::vector<std::string>> columns;
   std::optional<double> nodata;
   std::optional<std::vector<int>> classes, returns;  ///< of LAS points, as ReadOptions
+  std::vector<std::string>
+      given;  ///< every option on the command line, as "--base", also those of no reading
 };
 
 /// What STEP and IGES outputs are like.

@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -14,6 +10,7 @@
 #include "knotfit/fit_surface.h"
 #include "knotfit/knot_vector.h"
 #include "mesh_outputs.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -276,9 +273,8 @@ const std::vector<Row>& table() {
 
 // The "options" member of a file.
 Json stored_options(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path, std::strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const FileBytes file = is_dash(path) ? standard_input() : load_file(path);
+  const std::string_view text = file.view();
   const Json document = Json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (document.is_discarded()) throw FileError(path, "is not JSON: no options to repeat");
   if (!document.is_object() || !document.contains("options") || !document["options"].is_object())

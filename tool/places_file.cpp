@@ -10,6 +10,7 @@
 #include "formats/number.h"
 #include "formats/text_lines.h"
 #include "knotfit/errors.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -45,8 +46,9 @@ double number_at(const std::string& path, const TextLine& line, const std::vecto
 
 std::optional<Places> read_places_alone(const std::string& path, const InputOptions& options,
                                         bool height_field) {
-  if (!is_text(path) || (options.format && *options.format != "csv")) return std::nullopt;
-  const FileBytes file = load_file(path);
+  const bool text = is_dash(path) ? options.format.has_value() : is_text(path);
+  if (!text || (options.format && *options.format != "csv")) return std::nullopt;
+  const FileBytes file = is_dash(path) ? standard_input() : load_file(path);
   LineReader lines(text_of(file));
   std::vector<Role> roles;
   if (options.columns)

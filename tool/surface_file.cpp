@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
+#include "formats/json_document.h"
 #include "knotfit/cad.h"
 #include "knotfit/errors.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
+
+constexpr std::string_view kJson = "knotfit-json";
+
+bool is_cad_format(std::string_view name) {
+  return name == "step" || name == "iges";
+}
 
 KnotVector on_unit(const KnotVector& knots) {
   const double first = knots.first(), last = knots.last();
@@ -36,8 +44,19 @@ bool is_cad_file(const std::string& path) {
   return extension == ".step" || extension == ".stp" || extension == ".igs" || extension == ".iges";
 }
 
-bool holds_surfaces(const std::string& path) {
-  return extension_of(path) == ".json" || is_cad_file(path);
+bool holds_surfaces(const std::string& path, const InputOptions& options) {
+  if (options.format)
+    return *options.format == kJson || (is_cad_file(path) && is_cad_format(*options.format));
+  if (!is_dash(path)) return extension_of(path) == ".json" || is_cad_file(path);
+  const FileBytes bytes = standard_input();
+  const std::size_t first = without_mark(bytes.view()).find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && without_mark(bytes.view())[first] == '{';
+}
+
+void refuse_idle_surface_options(const std::string& path, const SurfaceChoices& choices) {
+  if (choices.unit && !is_cad_file(path))
+    throw InvalidInput(input_name(path) +
+                       ": --unit does not apply to a JSON surface: it is the unit of STEP and IGES files");
 }
 
 std::vector<SurfaceDocument> read_surfaces(const std::string& path, const SurfaceChoices& choices) {
@@ -48,6 +67,9 @@ std::vector<SurfaceDocument> read_surfaces(const std::string& path, const Surfac
       document.surface = std::move(surface);
       documents.push_back(with_unit_domain(std::move(document)));
     }
+  } else if (is_dash(path)) {
+    const FileBytes bytes = standard_input();
+    documents.push_back(with_unit_domain(surface_from_json(bytes.view(), bytes.path())));
   } else {
     documents.push_back(with_unit_domain(read_surface(path)));
   }
@@ -59,10 +81,10 @@ SurfaceDocument read_one_surface(const std::string& path, const SurfaceChoices& 
   const std::size_t count = documents.size();
   if (!choices.face && count > 1)
     throw InvalidInput(
-        fmt::format("{}: holds {} surfaces; choose one with --face 1 to {}", path, count, count));
+        fmt::format("{}: holds {} surfaces; choose one with --face 1 to {}", input_name(path), count, count));
   const auto face = static_cast<std::size_t>(choices.face.value_or(1));
   if (face > count)
-    throw InvalidInput(fmt::format("{}: --face {}: there {} {} surface{}", path, face,
+    throw InvalidInput(fmt::format("{}: --face {}: there {} {} surface{}", input_name(path), face,
                                    count == 1 ? "is" : "are", count, count == 1 ? "" : "s"));
   return std::move(documents[face - 1]);
 }

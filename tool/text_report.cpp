@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "fit_report.h"
+#include "outputs.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -36,7 +38,7 @@ std::string memory_text(long long bytes) {
 
 std::string input_line(const FitReport& r) {
   const InputSummary& s = r.input.summary;
-  std::string line = fmt::format("{}: {} points", s.path, s.points);
+  std::string line = fmt::format("{}: {} points", input_name(s.path), s.points);
   if (s.holes > 0) line += fmt::format(", {} holes", s.holes);
   if (s.duplicates > 0) line += fmt::format(", {} dropped (equal parameters)", s.duplicates);
   line += r.result.height_field ? ", height field, range of heights" : ", diagonal";
@@ -162,7 +164,7 @@ std::string report_to_text(const FitReport& r) {
   if (result.condition > 0) text += fmt::format(", condition {:.2g}", result.condition);
   text += "\n";
   for (const std::string& note : result.notes) text += "note: " + note + "\n";
-  for (const std::string& path : r.outputs) text += "wrote " + path + "\n";
+  text += wrote(r.outputs);
   return text;
 }
 

@@ -61,8 +61,6 @@ class Header {
   }
 
   void check_format(int stored) {
-    if (stored >= 64)
-      fail("is compressed (LAZ); decompress it first, with laszip or pdal translate in.laz out.las");
     if (stored > 10) fail(fmt::format("has points of format {}; there are 0 to 10", stored));
     format = stored;
   }

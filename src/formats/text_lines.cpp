@@ -43,8 +43,17 @@ Index count_numbers(std::string_view text) {
   return count;
 }
 
+std::string_view without_end_mark(std::string_view text) {
+  const std::size_t mark = text.find('\x1A');
+  if (mark == std::string_view::npos) return text;
+  const bool padding = std::all_of(text.begin() + static_cast<std::ptrdiff_t>(mark), text.end(), [](char c) {
+    return c == '\x1A' || c == '\0' || c == '\n' || is_blank(c);
+  });
+  return padding ? text.substr(0, mark) : text;
+}
+
 std::string_view text_of(const FileBytes& file) {
-  std::string_view text = file.view();
+  std::string_view text = without_end_mark(file.view());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw FileError(file.path(), "is UTF-16 text; save it as UTF-8");
   const std::size_t zero = text.find('\0');

@@ -170,8 +170,13 @@ CloudMap map_graph(std::span<const double> points, const NeighbourLists& near,
   try {
     map_outline(cloud, options, control);
   } catch (const InvalidInput& e) {
+    // Without the options that repair a mesh of a file.
+    const std::string_view what = e.what();
     throw InvalidInput(
-        fmt::format("the mesh of their nearest neighbours is no sheet with one outline: {}", e.what()));
+        fmt::format("the mesh of their nearest neighbours is no sheet with one outline: {}; --base plane or "
+                    "cylinder lays the "
+                    "points over a base",
+                    what.substr(0, what.find("; --"))));
   }
   return cloud;
 }
