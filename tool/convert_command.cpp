@@ -99,7 +99,8 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
   }
 }
 
-void convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+/// \return what was done with the input, for the summary
+std::string convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::surface || file.kind == OutputKind::picture || file.kind == OutputKind::cad)
       throw InvalidInput(fmt::format(
@@ -119,17 +120,19 @@ void convert_data(const ConvertArguments& arguments, const std::vector<OutputFil
     else
       write_text_file(file.path, arguments.output.force, to_csv(points_table(data)));
   }
+  const Reading reading = reading_of(data);
+  return columns_to_text(reading) + notes_to_text(reading);
 }
 
 }  // namespace
 
 int run_convert(const ConvertArguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  std::string text;
   if (holds_surfaces(arguments.input))
     convert_surface(arguments, files);
   else
-    convert_data(arguments, files);
-  std::string text;
+    text = convert_data(arguments, files);
   for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
   print(text);
   return kReached;

@@ -55,8 +55,8 @@ TEST(Registry, ANameWins) {
 }
 
 TEST(Registry, NamesTheFormatsThereAre) {
-  for (const char* words :
-       {"unknown extension .foo", "esri-ascii (.asc .grd)", "csv (.csv .tsv .txt .xyz .dat)", "npy (.npy)"})
+  for (const char* words : {"unknown extension .foo", "esri-ascii (.asc .grd)",
+                            "csv (.csv .tsv .txt .xyz .pts .dat)", "npy (.npy)"})
     refuses("a.foo", "1 2 3\n", words);
   refuses("points", "1 2 3\n", "a name without an extension does not tell the format");
   for (const char* extension : {".tif", ".VTK", ".vtp"})
