@@ -74,7 +74,8 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
       [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
   const std::string input = "Input";
   add_input_options(app, c.input);
-  add(app, "--block", "N", "Which of several blocks of points with blank lines between them, from 1", input,
+  add(app, "--block", "N",
+      "Which of several blocks of points (parted by blank lines, names or counts), from 1", input,
       [&](const std::string& t) { curve.block = static_cast<Index>(parse_count(t, 1)); });
   CLI::Option* closed = add_flag(app, "--closed", "A closed curve: the last point is followed by the first",
                                  input, [&] { curve.closed = true; });

@@ -49,6 +49,19 @@ std::string column_title(std::size_t column, Role role) {
   throw FileError(file.path(), line.number, "the line cannot be read");
 }
 
+/// A line between the points of a curve that names or counts those to come: words alone, one number, or GMT's >.
+bool begins_block(const TextOpening& opening, const TextLine& line) {
+  if (line.text.starts_with('>')) return true;
+  const auto fields = split_fields(line.text, opening.separator);
+  const auto is_number = [](std::string_view field) {
+    return parse_number(field).status != NumberStatus::not_a_number;
+  };
+  if (fields.size() == 1 && is_number(fields[0])) return opening.columns.roles.size() > 1;
+  const bool letters = std::any_of(line.text.begin(), line.text.end(),
+                                   [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+  return letters && std::none_of(fields.begin(), fields.end(), is_number);
+}
+
 struct Row {
   double value[kRoles + 1];
   double operator[](Role role) const { return value[static_cast<int>(role)]; }
@@ -70,11 +83,9 @@ void take_block(const FileBytes& file, const ReadOptions& options, PointText& po
     for (Index b = 1; b <= std::min<Index>(blocks, 8); ++b)
       sizes += fmt::format("{}{} from line {}", b > 1 ? ", " : "", end(b) - points.group_start[b - 1],
                            points.table.line[points.group_start[b - 1]]);
-    throw FileError(
-        file.path(),
-        fmt::format("{} blocks of points with blank lines between them ({}{}): a curve is one; --block N "
-                    "takes the block N, from 1",
-                    blocks, sizes, blocks > 8 ? ", ..." : ""));
+    throw FileError(file.path(), fmt::format("{} blocks of points ({}{}): a curve is one; --block N "
+                                             "takes the block N, from 1",
+                                             blocks, sizes, blocks > 8 ? ", ..." : ""));
   }
   const Index first = points.group_start[options.block - 1], last = end(options.block);
   std::vector<Index> others;
@@ -130,7 +141,13 @@ PointText parse_point_text(const FileBytes& file, const ReadOptions& options) {
       continue;
     }
     if (is_comment(line.text)) continue;
-    if (!parse_line(line, into, out.separator)) refuse_line(file, opening, line);
+    if (!parse_line(line, into, out.separator)) {
+      if (!options.curve || !begins_block(opening, line)) refuse_line(file, opening, line);
+      out.notes.push_back(
+          fmt::format("line {} left out, above a block: {}", line.number, in_quotes(line.text)));
+      gap = true;
+      continue;
+    }
     clear_unknown_normal(row.value);
     bool finite = true;
     for (const Role role : used) finite = finite && std::isfinite(row[role]);

@@ -115,9 +115,7 @@ TEST(LeadingLines, NamedColumnsKeepThem) {
 TEST(Blocks, OfACurveAreNeverJoinedUnasked) {
   const char* text = "1 2\n3 4\n\n5 6\n7 8\n9 10\n";
   for (const char* name : {"a.dat", "a.csv", "a.xyz"}) {
-    expect_throw<FileError>(
-        [&] { curve(text, name); },
-        "2 blocks of points with blank lines between them (2 from line 1, 3 from line 4)");
+    expect_throw<FileError>([&] { curve(text, name); }, "2 blocks of points (2 from line 1, 3 from line 4)");
     expect_throw<FileError>([&] { curve(text, name); }, "--block N");
     EXPECT_EQ(content<PointTable>(curve(text, name, 1)).x, (Doubles{1, 3}));
     const SourceData second = curve(text, name, 2);
@@ -134,6 +132,18 @@ TEST(Blocks, OfACurveAreNeverJoinedUnasked) {
   // What is wrong in another block is not the concern of the one asked for.
   EXPECT_EQ(content<PointTable>(curve("1 2\n3 nan\n\n5 6\n7 8\n", "a.dat", 2)).x, (Doubles{5, 7}));
   EXPECT_EQ(content<PointTable>(curve("1 2\n3 4\n\n", "a.dat", 1)).x, (Doubles{1, 3}));
+}
+
+TEST(Blocks, NamesAndCountsPartThemToo) {
+  for (const char* mark : {"lower surface", "3", "> segment 2", "# a comment alone does not\nlower"}) {
+    SCOPED_TRACE(mark);
+    const std::string text = std::string("upper\n0 0\n1 1\n2 0\n") + mark + "\n0 0\n1 -1\n2 0\n";
+    expect_throw<FileError>([&] { curve(text); }, "2 blocks of points (3 from line 2, 3 from line");
+    EXPECT_EQ(content<PointTable>(curve(text, "a.dat", 2)).y, (Doubles{0, -1, 0}));
+  }
+  // A line with numbers in it is a fault, and of a surface any is.
+  expect_throw<FileError>([&] { curve("0 0\n1 x1\n2 0\n"); }, "a.dat:2: column 2 (y)");
+  refuses("a.xyz", "0 0 1\n1 1 1\nlower surface\n2 0 1\n", "a.xyz:3: 2 columns");
 }
 
 TEST(Lednicer, BothSurfacesBecomeOneProfile) {
