@@ -5,6 +5,7 @@
 #include "input.h"
 #include "knotfit/base_surface.h"
 #include "knotfit/errors.h"
+#include "parameterize/table_checks.h"
 #include "surface_file.h"
 #include "text_values.h"
 namespace knotfit::tool {
@@ -61,6 +62,7 @@ MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const C
   std::vector<double> xyz;
   xyz.reserve(static_cast<std::size_t>(3 * table.size()));
   for (Index k = 0; k < table.size(); ++k) xyz.insert(xyz.end(), {table.x[k], table.y[k], table.z[k]});
+  parameterize::check_strays(xyz, 3, table.line);
   const BaseChoice base = parse_base(choices.base.value_or("auto"));
   if (base.kind == CloudBase::surface)
     return mapped(parameterize_cloud(xyz, base_surface(base), control), table.line);

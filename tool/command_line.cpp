@@ -67,10 +67,16 @@ void add_input_options(CLI::App& app, InputOptions& input) {
       "by extension, then content",
       group, [&](const std::string& t) { input.format = t; });
   add(app, "--columns", "x,y,z,u,v,w",
-      "What the columns of a text file or array are, in order; nx, ny, nz are normals, - skips one", group,
-      [&](const std::string& t) { input.columns = parse_columns(t); });
-  add(app, "--nodata", "V", "Value that stands for a hole in a raster or an array", group,
-      [&](const std::string& t) { input.nodata = parse_number(t); });
+      "What the columns of a text file or array are, in order: the names a header may have; nx, ny, nz are "
+      "normals, r, g, b, intensity, time and - are left out",
+      group, [&](const std::string& t) { input.columns = parse_columns(t); });
+  add(app, "--nodata", "V|nan",
+      "What stands for missing data: a number (of z), or nan for every word that does (nan, NA, null, an "
+      "empty "
+      "cell). Cells become holes; points are left out and counted",
+      group, [&](const std::string& t) { input.nodata = parse_nodata(t); });
+  add(app, "--skip-lines", "N", "Leave out the first N lines of a text", group,
+      [&](const std::string& t) { input.skip_lines = static_cast<Index>(parse_count(t, 1)); });
   add(app, "--classes", "N,M,...", "Only LAS points of these classes, such as 2 for ground; default: all",
       group, [&](const std::string& t) { input.classes = parse_classes(t); });
   add(app, "--returns", "first|last|N,...",

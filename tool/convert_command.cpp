@@ -106,7 +106,8 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
 }
 
 // Data has no JSON: standard output gets its points.
-void convert_data(const ConvertArguments& arguments, std::vector<OutputFile> files) {
+/// \return what was done with the input, for the summary
+std::string convert_data(const ConvertArguments& arguments, std::vector<OutputFile> files) {
   for (OutputFile& file : files)
     if (is_dash(file.path)) file.kind = OutputKind::table;
   refuse_given(arguments.read.given,
@@ -132,17 +133,20 @@ void convert_data(const ConvertArguments& arguments, std::vector<OutputFile> fil
     else
       write_text_file(file.path, arguments.output.force, to_csv(points_table(data)));
   }
+  const Reading reading = reading_of(data);
+  return columns_to_text(reading) + notes_to_text(reading);
 }
 
 }  // namespace
 
 int run_convert(const ConvertArguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  std::string text;
   if (holds_surfaces(arguments.input, arguments.read))
     convert_surface(arguments, files);
   else
-    convert_data(arguments, files);
-  print_summary(wrote(files), files);
+    text = convert_data(arguments, files);
+  print_summary(text + wrote(files), files);
   return kReached;
 }
 

@@ -39,6 +39,8 @@ Json outcome(const CurveReport& r) {
                  {"measure", kNames[static_cast<int>(f.asked.measure)]},
                  {"share", f.asked.share}};
   }
+  std::vector<std::string> notes = r.reading.notes;
+  notes.insert(notes.end(), f.notes.begin(), f.notes.end());
   return {{"control_points", f.control_points},
           {"degree", f.curve.degree()},
           {"closed", f.closed},
@@ -60,7 +62,8 @@ Json outcome(const CurveReport& r) {
           {"fits", f.fits},
           {"diagonal", number(f.diagonal)},
           {"points", r.points.size()},
-          {"notes", f.notes}};
+          {"left_out", r.reading.left_out},
+          {"notes", notes}};
 }
 
 std::string verdict(const CurveFitResult& f) {
@@ -112,6 +115,10 @@ std::string curve_to_json(const CurveReport& r) {
     tried.push_back({{"control_points", t.control_points}, {"error", number(t.error)}, {"holds", t.holds}});
   j["tried"] = tried;
   j["input"] = r.arguments.input;
+  if (!r.reading.columns.empty()) {
+    j["columns"] = r.reading.columns;
+    j["columns_from"] = r.reading.from;
+  }
   j["seconds"] = number(r.seconds);
   j["outputs"] = r.outputs;
   j["version"] = version();
@@ -126,6 +133,7 @@ std::string curve_to_text(const CurveReport& r) {
                                  : r.points.dimension == 2 ? "planar"
                                                            : "in space",
                                  f.diagonal);
+  text += columns_to_text(r.reading);
   text += fmt::format("curve: {} control points, degree {}, knots by {}\n", f.control_points,
                       f.curve.degree(), f.method);
   const auto share = [&](double x) {
@@ -139,6 +147,7 @@ std::string curve_to_text(const CurveReport& r) {
               : std::string("tolerance: none asked\n");
   text +=
       fmt::format("status: {}: {}\n{} fits, {:.2f} s\n", to_string(f.status), f.message, f.fits, r.seconds);
+  text += notes_to_text(r.reading);
   for (const std::string& note : f.notes) text += "note: " + note + "\n";
   return text + wrote(r.outputs);
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "applicable_options.h"
+#include "base/place_text.h"
 #include "commands.h"
 #include "data_conversion.h"
 #include "exit_status.h"
@@ -73,8 +74,9 @@ Json to_json(const DistanceSummary& s, const ParameterMap& map) {
 std::string to_text(const char* title, const DistanceSummary& s, const ParameterMap& map, double diagonal,
                     bool with_sign) {
   const auto [a, b] = map.from_uv(s.worst_u, s.worst_v);
-  std::string text = fmt::format("{}: rms {:.6g}, max {:.6g} at {} = {:.6g}, {} = {:.6g}", title, s.rms,
-                                 s.max, map.name_u, a, map.name_v, b);
+  const auto shown = [&](double x) { return map.identity() ? fmt::format("{:.6g}", x) : place_text(x); };
+  std::string text = fmt::format("{}: rms {:.6g}, max {:.6g} at {} = {}, {} = {}", title, s.rms, s.max,
+                                 map.name_u, shown(a), map.name_v, shown(b));
   if (diagonal > 0)
     text += fmt::format("\n  of the diagonal: rms {:.4g} %, max {:.4g} %", 100 * s.rms / diagonal,
                         100 * s.max / diagonal);
@@ -159,16 +161,21 @@ int run_distance(const DistanceArguments& arguments) {
               {"surface_to_mesh", both ? to_json(back, document.map) : Json(nullptr)},
               {"tolerance", arguments.tolerance ? Json(tolerance) : Json(nullptr)},
               {"share_within", arguments.tolerance ? Json(within) : Json(nullptr)},
-              {"outputs", arguments.output.paths}};
+              {"outputs", arguments.output.paths},
+              {"notes", data.notes}};
+    if (!data.columns.empty()) j["columns"] = data.columns, j["columns_from"] = data.columns_from;
     print(j.dump() + "\n");
   } else if (!arguments.quiet) {
-    std::string text = to_text(fmt::format("{} points to the surface", distances.summary.count).c_str(),
-                               distances.summary, document.map, diagonal, true);
+    const Reading reading = reading_of(data);
+    std::string text = columns_to_text(reading);
+    text += to_text(fmt::format("{} points to the surface", distances.summary.count).c_str(),
+                    distances.summary, document.map, diagonal, true);
     if (both)
       text += to_text(fmt::format("surface to the mesh, from {} samples", back.count).c_str(), back,
                       document.map, diagonal, false);
     if (arguments.tolerance)
       text += fmt::format("within {:.6g}: {:.6g} % of the points\n", tolerance, 100 * within);
+    text += notes_to_text(reading);
     text += wrote(files);
     print(text);
   }

@@ -49,9 +49,14 @@ CurveFitOptions curve_options(const CurveArguments& arguments) {
   return options;
 }
 
-CurvePoints read_points(const CurveArguments& arguments) {
+CurvePoints read_points(const CurveArguments& arguments, Reading& reading) {
   const FitChoices& c = arguments.choices;
-  const SourceData data = read_input(arguments.input, c.input, /*places=*/true);  // x, y alone
+  ReadOptions read = read_options(c.input);
+  read.places = read.curve = true;  // x, y alone
+  read.block = arguments.block;
+  const SourceData data = read_source(arguments.input, read);
+  refuse_idle_reading(data, arguments.input, c.input);
+  reading = reading_of(data);
   try {
     return curve_points_of(data, c.spacing.value_or(RowSpacing::chord), arguments.closed, arguments.function);
   } catch (const InvalidInput& e) {
@@ -110,7 +115,8 @@ int run_fit_curve(const CurveArguments& arguments) {
   terminal.report({.stage = "read"});
   Control control = terminal.control(stop.token());
   control.time_limit = arguments.choices.time_limit.value_or(0);
-  const CurvePoints points = read_points(arguments);
+  Reading reading;
+  const CurvePoints points = read_points(arguments, reading);
   CurveFitOptions options = curve_options(arguments);
   if (arguments.choices.feature_file)
     options.user_features = read_curve_feature_file(*arguments.choices.feature_file, points);
@@ -128,7 +134,7 @@ int run_fit_curve(const CurveArguments& arguments) {
                : result.status == Status::time_limit ? kNotReached
                : options.tolerance && !result.reached ? kNotReached
                                                       : kReached;
-  CurveReport report{.result = result, .points = points, .arguments = arguments};
+  CurveReport report{.result = result, .points = points, .arguments = arguments, .reading = reading};
   if (result.curve.control_points().empty()) {
     std::fprintf(stderr, "knotfit: %s\n", result.message.c_str());
     return status;

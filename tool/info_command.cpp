@@ -124,7 +124,7 @@ DataFacts facts_of(const SourceData& data) {
           return static_cast<Index>(content.z.size());
       },
       data.content);
-  facts.points -= facts.holes;
+  facts.points -= facts.holes - data.left_out;  // points left out are in no table
   return facts;
 }
 
@@ -144,6 +144,10 @@ std::string data_info(const InfoArguments& arguments) {
       j["disk"] = facts.problem.empty();
       j["problem"] = facts.problem.empty() ? Json(nullptr) : Json(facts.problem);
     }
+    if (!data.columns.empty()) {
+      j["columns"] = data.columns;
+      j["columns_from"] = data.columns_from;
+    }
     j["notes"] = data.notes;
     j["read_as"] = facts.read_as;
     return j.dump() + "\n";
@@ -158,6 +162,7 @@ std::string data_info(const InfoArguments& arguments) {
   if (raster) text += fmt::format("cell: {} x {}\n", raster->dx, raster->dy);
   for (const Range& r : facts.ranges)
     if (!r.empty()) text += fmt::format("{}: {} to {}\n", r.name, r.least, r.most);
+  text += columns_to_text(reading_of(data));
   for (const std::string& note : data.notes) text += note + "\n";
   if (facts.content == "mesh")
     text += "disk: " + (facts.problem.empty() ? "yes" : "no: " + facts.problem) + "\n";

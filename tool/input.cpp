@@ -4,9 +4,11 @@
 
 #include "applicable_options.h"
 #include "cloud_input.h"
+#include "data/strays.h"
 #include "formats/readers.h"
 #include "knotfit/errors.h"
 #include "knotfit/parameterize.h"
+#include "parameterize/table_checks.h"
 #include "standard_streams.h"
 namespace knotfit::tool {
 namespace {
@@ -77,19 +79,37 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
   return of_mesh;
 }
 
+/// A slip far off makes the range that a tolerance in % is of.
+void note_strays(FitInput& input) {
+  const ParameterizedPoints& points = input.points;
+  std::vector<Index> strays = far_strays(points.values, points.dimension);
+  if (strays.empty()) return;
+  input.summary.reading.notes.push_back(parameterize::point_names(points.source, strays) +
+                                        (strays.size() == 1 ? " stands" : " stand") +
+                                        " more than 1000 times as far away as the farthest of the others: a "
+                                        "stray; it makes the range that a tolerance "
+                                        "in % is of, so leave it out");
+}
+
 }  // namespace
 
 SourceData read_source(const std::string& path, const ReadOptions& options) {
   return is_dash(path) ? read_bytes(standard_input(), options) : read_data(path, options);
 }
 
-SourceData read_input(const std::string& path, const InputOptions& options, bool places) {
+ReadOptions read_options(const InputOptions& options) {
   ReadOptions read;
   read.format = options.format.value_or("");
   read.columns = options.columns.value_or(std::vector<std::string>{});
   read.nodata = options.nodata;
   read.classes = options.classes.value_or(std::vector<int>{});
   read.returns = options.returns.value_or(std::vector<int>{});
+  read.skip_lines = options.skip_lines.value_or(0);
+  return read;
+}
+
+SourceData read_input(const std::string& path, const InputOptions& options, bool places) {
+  ReadOptions read = read_options(options);
   read.places = places;
   SourceData data = read_source(path, read);
   refuse_idle_reading(data, path, options);
@@ -97,7 +117,7 @@ SourceData read_input(const std::string& path, const InputOptions& options, bool
 }
 
 Index count_holes(const SourceData& data) {
-  Index holes = 0;
+  Index holes = data.left_out;
   if (const Raster* raster = std::get_if<Raster>(&data.content)) {
     for (const double z : raster->z) holes += std::isnan(z);
   } else if (const PointRows* rows = std::get_if<PointRows>(&data.content)) {
@@ -133,7 +153,10 @@ PointTable table_of(const Raster& raster) {
 
 FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control) {
   FitInput input;
-  SourceData data = read_input(path, choices.input);
+  ReadOptions read = read_options(choices.input);
+  read.any_parameters = choices.rescale_parameters.value_or(false);
+  SourceData data = read_data(path, read);
+  input.summary.reading = reading_of(data);
   input.summary.path = path;
   input.summary.format = data.format;
   input.summary.holes = count_holes(data);
@@ -142,6 +165,7 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
     const Mesh* mesh = std::get_if<Mesh>(&data.content);
     input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
                                    : parameterize(data, choices, control, input.mesh);
+    if (std::get_if<Raster>(&data.content) == nullptr) note_strays(input);
     // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
     double tolerance = 0;
     if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {

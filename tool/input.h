@@ -8,6 +8,7 @@
 #include "knotfit/source_data.h"
 #include "mesh_input.h"
 #include "options.h"
+#include "reading.h"
 namespace knotfit::tool {
 
 /// What a report says of the input.
@@ -15,6 +16,7 @@ struct InputSummary {
   std::string path, format;
   Index points = 0;      ///< fitted
   Index holes = 0;       ///< cells or points without data
+  Reading reading;       ///< what was done with the file
   Index duplicates = 0;  ///< points dropped since others have their parameters
 };
 
@@ -28,6 +30,8 @@ struct FitInput {
   const ParameterizedPoints& every_point() const { return all_points.size() > 0 ? all_points : points; }
 };
 
+/// The tool's options as the library's.
+ReadOptions read_options(const InputOptions& options);
 /// read_data with the tool's options.
 /// \param places  z may be missing, as ReadOptions::places
 SourceData read_input(const std::string& path, const InputOptions& options, bool places = false);

@@ -82,6 +82,19 @@ Json input_of(const FitReport& r) {
   return input;
 }
 
+// Of the reading first, then of the fit.
+std::vector<std::string> notes_of(const FitReport& r) {
+  std::vector<std::string> notes = r.input.summary.reading.notes;
+  notes.insert(notes.end(), r.result.notes.begin(), r.result.notes.end());
+  return notes;
+}
+
+void add_columns(Json& j, const Reading& reading) {
+  if (reading.columns.empty()) return;
+  j["columns"] = reading.columns;
+  j["columns_from"] = reading.from;
+}
+
 // What a correction of the parameters left; null without one.
 Json correction_of(const FitReport& r) {
   if (r.corrected == nullptr) return nullptr;
@@ -147,7 +160,8 @@ std::string stored_result(const FitReport& r) {
   Json j;
   add_outcome(j, r);
   j["input"] = input_of(r);
-  j["notes"] = r.result.notes;
+  add_columns(j, r.input.summary.reading);
+  j["notes"] = notes_of(r);
   return j.dump();
 }
 
@@ -165,7 +179,8 @@ std::string report_to_json(const FitReport& r) {
   j["peak_memory_bytes"] = r.peak_memory_bytes;
   j["input"] = input_of(r);
   j["options"] = Json::parse(options_to_json(r.choices));
-  j["notes"] = r.result.notes;
+  add_columns(j, r.input.summary.reading);
+  j["notes"] = notes_of(r);
   j["outputs"] = r.outputs;
   j["version"] = version();
   return j.dump();

@@ -64,7 +64,8 @@ struct BaseChoice {
 struct InputOptions {
   std::optional<std::string> format;
   std::optional<std::vector<std::string>> columns;
-  std::optional<double> nodata;
+  std::optional<double> nodata;                      ///< NaN: every word for missing data
+  std::optional<Index> skip_lines;                   ///< of a text
   std::optional<std::vector<int>> classes, returns;  ///< of LAS points, as ReadOptions
   std::vector<std::string>
       given;  ///< every option on the command line, as "--base", also those of no reading
@@ -169,6 +170,7 @@ struct CurveArguments {
   std::optional<std::vector<double>> knots;
   std::vector<std::string> compare;  ///< methods of a table; empty: one curve
   bool closed = false, function = false, corrected = false;
+  Index block = 0;  ///< of a text, from 1; 0: there is one
   OutputOptions output;
   int threads = 0;
   bool quiet = false, json = false;

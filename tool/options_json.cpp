@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -215,8 +216,16 @@ const std::vector<Row>& table() {
       input<std::vector<std::string>>(
           "columns", &InputOptions::columns,
           [](const std::vector<std::string>& c) { return fmt::format("--columns {}", fmt::join(c, ",")); }),
-      input<double>("nodata", &InputOptions::nodata,
-                    [](const double& v) { return fmt::format("--nodata {}", v); }),
+      {"nodata", [](const FitChoices& c) { return c.input.nodata.has_value(); },
+       [](const FitChoices& c) {
+         return std::isnan(*c.input.nodata) ? Json(nodata_text(*c.input.nodata)) : Json(*c.input.nodata);
+       },
+       [](FitChoices& c, const Json& j) {
+         c.input.nodata = j.is_string() ? parse_nodata(j.get<std::string>()) : j.get<double>();
+       },
+       [](const FitChoices& c) { return "--nodata " + nodata_text(*c.input.nodata); }},
+      input<Index>("skip_lines", &InputOptions::skip_lines,
+                   [](const Index& n) { return fmt::format("--skip-lines {}", n); }),
       input<std::vector<int>>(
           "classes", &InputOptions::classes,
           [](const std::vector<int>& c) { return fmt::format("--classes {}", fmt::join(c, ",")); }),

@@ -16,7 +16,7 @@ namespace knotfit::tool {
 namespace {
 
 bool is_text(const std::string& path) {
-  for (const char* extension : {".csv", ".tsv", ".txt", ".xyz", ".dat"})
+  for (const char* extension : {".csv", ".tsv", ".txt", ".xyz", ".pts", ".dat"})
     if (extension_of(path) == extension) return true;
   return false;
 }
@@ -59,7 +59,7 @@ std::optional<Places> read_places_alone(const std::string& path, const InputOpti
   std::size_t first = 0, second = 0;
   TextLine line;
   while (lines.next(line)) {
-    if (line.text.empty() || is_comment(line.text)) continue;
+    if (line.number <= options.skip_lines.value_or(0) || line.text.empty() || is_comment(line.text)) continue;
     const bool opening = !separator;
     if (opening) separator = find_separator(line.text);
     const std::vector<std::string_view> fields = split_fields(line.text, *separator);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place_text.h"
 #include "fit_report.h"
 #include "outputs.h"
 #include "standard_streams.h"
@@ -43,6 +44,7 @@ std::string input_line(const FitReport& r) {
   if (s.duplicates > 0) line += fmt::format(", {} dropped (equal parameters)", s.duplicates);
   line += r.result.height_field ? ", height field, range of heights" : ", diagonal";
   line += fmt::format(" {:.6g}\n", r.result.diagonal);
+  line += columns_to_text(s.reading);
   return r.input.mesh ? line + mesh_to_text(*r.input.mesh) : line;
 }
 
@@ -54,8 +56,9 @@ std::string worst_place(const FitReport& r) {
   const bool from_text = !points.source.empty() && !r.input.raster;
   const Index line = points.source.empty() ? e.worst + 1 : points.source[e.worst];
   const auto [a, b] = map.from_uv(e.worst_u, e.worst_v);
-  return fmt::format("at {} {}, {} = {:.6g}, {} = {:.6g}", from_text ? "line" : "point", line, map.name_u, a,
-                     map.name_v, b);
+  const auto shown = [&](double x) { return map.identity() ? fmt::format("{:.6g}", x) : place_text(x); };
+  return fmt::format("at {} {}, {} = {}, {} = {}", from_text ? "line" : "point", line, map.name_u, shown(a),
+                     map.name_v, shown(b));
 }
 
 std::string tolerance_line(const FitReport& r) {
@@ -163,6 +166,7 @@ std::string report_to_text(const FitReport& r) {
   text += fmt::format("{} fits, {:.2f} s, {}", result.fits, r.seconds, memory_text(r.peak_memory_bytes));
   if (result.condition > 0) text += fmt::format(", condition {:.2g}", result.condition);
   text += "\n";
+  text += notes_to_text(r.input.summary.reading);
   for (const std::string& note : result.notes) text += "note: " + note + "\n";
   text += wrote(r.outputs);
   return text;

@@ -291,7 +291,9 @@ SourceData read_esri_ascii(const FileBytes& file, const ReadOptions& options) {
                                              header.columns, header.rows, data.size()));
 
   // -9999 is the format's own default.
-  const double hole = options.nodata ? *options.nodata : header.has(nodata) ? header.value(nodata) : -9999;
+  // NaN is a hole anyway.
+  const bool given = options.nodata && !std::isnan(*options.nodata);
+  const double hole = given ? *options.nodata : header.has(nodata) ? header.value(nodata) : -9999;
   Heights heights(header, hole);
   heights.read(data);
   Raster raster;

@@ -6,6 +6,7 @@
 
 #include "formats/columns.h"
 #include "formats/mesh_builder.h"
+#include "formats/missing.h"
 #include "formats/ply_rows.h"
 #include "formats/readers.h"
 #include "formats/text_lines.h"
@@ -46,7 +47,8 @@ const PlyElement* find(const PlyHeader& header, std::string_view name) {
 
 class PlyReader {
  public:
-  PlyReader(const FileBytes& file) : file_(file), header_(parse_ply_header(file)), builder_(file, 0) {
+  PlyReader(const FileBytes& file, const ReadOptions& options)
+      : file_(file), options_(options), header_(parse_ply_header(file)), builder_(file, 0) {
     vertex_ = find(header_, "vertex");
     if (vertex_ == nullptr) throw FileError(file.path(), "the header has no element \"vertex\"");
     face_ = find(header_, "face");
@@ -74,7 +76,13 @@ class PlyReader {
     }
     rows_->end_file();
     if (face_ != nullptr) return {file_.path(), "ply", builder_.finish()};
-    return {file_.path(), "ply", std::move(points_)};
+    SourceData data{.path = file_.path(), .format = "ply", .content = PointTable{}};
+    drop_points(points_, missing_);
+    data.left_out = static_cast<Index>(missing_.size()) + drop_far_nodata(points_, options_.nodata);
+    if (points_.z.empty()) throw FileError(file_.path(), "every point has the nodata value");
+    if (data.left_out > 0) data.notes.push_back(left_out_note(data.left_out, *options_.nodata));
+    data.content = std::move(points_);
+    return data;
   }
 
  private:
@@ -121,10 +129,16 @@ class PlyReader {
   void take_vertex(double* value, Index row) {
     const Index line = rows_->line();
     clear_unknown_normal(value);
+    bool finite = true;
     for (const Role role : roles_)
-      if (role != Role::skip && !std::isfinite(value[static_cast<int>(role)]))
+      finite = finite && (role == Role::skip || std::isfinite(value[static_cast<int>(role)]));
+    const bool misses = face_ == nullptr && misses_value(value[2], finite, options_.nodata);
+    if (misses) missing_.push_back(row);
+    for (const Role role : roles_)
+      if (!misses && role != Role::skip && !std::isfinite(value[static_cast<int>(role)]))
         builder_.fail(line,
-                      fmt::format("vertex {} (counted from 0): {} is not finite", row, role_name(role)));
+                      fmt::format("vertex {} (counted from 0): {} is not finite{}{}", row, role_name(role),
+                                  face_ == nullptr ? "; " : "", face_ == nullptr ? kLeaveOut : ""));
     if (face_ != nullptr) {
       builder_.add_vertex(value, line);
       if (parameters_)
@@ -133,7 +147,7 @@ class PlyReader {
     }
     for (const Role role : roles_)
       if (role != Role::skip) column_of(points_, role)->push_back(value[static_cast<int>(role)]);
-    if (line > 0) points_.line.push_back(line);
+    if (line > 0 || options_.nodata) points_.line.push_back(line > 0 ? line : row + 1);
   }
 
   void read_faces() {
@@ -179,6 +193,7 @@ class PlyReader {
   }
 
   const FileBytes& file_;
+  const ReadOptions& options_;
   PlyHeader header_;
   const PlyElement* vertex_ = nullptr;
   const PlyElement* face_ = nullptr;
@@ -187,12 +202,13 @@ class PlyReader {
   std::unique_ptr<PlyRows> rows_;
   MeshBuilder builder_;
   PointTable points_;
+  std::vector<Index> missing_;  // of the points
 };
 
 }  // namespace
 
-SourceData read_ply(const FileBytes& file, const ReadOptions&) {
-  return PlyReader(file).read();
+SourceData read_ply(const FileBytes& file, const ReadOptions& options) {
+  return PlyReader(file, options).read();
 }
 
 }  // namespace knotfit

@@ -24,15 +24,16 @@ struct Format {
 // Written out, not filled by static constructors: a static library drops objects nobody names.
 constexpr std::array kFormats = {
     Format{{"esri-ascii", ".asc .grd", "ESRI ASCII grid of heights", true, true}, read_esri_ascii},
-    Format{{"csv", ".csv .tsv .txt .xyz .dat", "points, a line each: x,y,z, x,y,z,u,v or named columns", true,
-            true},
+    Format{{"csv", ".csv .tsv .txt .xyz .pts .dat", "points, a line each: x,y,z, x,y,z,u,v or named columns",
+            true, true},
            read_csv},
-    Format{{"rows", ".rows", "rows of points x y z, a blank line between rows (.txt, .xyz and .dat too)",
-            true, false},
+    Format{{"rows", ".rows",
+            "rows of points x y z, a blank line between rows (.txt, .xyz, .pts and .dat too)", true, false},
            read_rows},
-    Format{{"npy", ".npy", "NumPy array: n x 3, 5 or 6 points, H x W heights, H x W x 3 points", true, false},
-           read_npy},
-    Format{{"npy-grid", "", "NumPy array H x W of heights, also where W is 3, 5 or 6", true, false},
+    Format{
+        {"npy", ".npy", "NumPy array: n x 3 to n x 9 points, H x W heights, H x W x 3 points", true, false},
+        read_npy},
+    Format{{"npy-grid", "", "NumPy array H x W of heights, also where W is 9 or less", true, false},
            read_npy},
     Format{{"ply", ".ply", "mesh or points, text or binary; x, y, z and s, t or u, v", true, true}, read_ply},
     Format{{"obj", ".obj", "Wavefront mesh: v, vt, polygons", true, true}, read_obj},

@@ -18,7 +18,11 @@ SourceData rows_of(const FileBytes& file, PointText&& points) {
   rows.row_start = std::move(points.group_start);
   rows.row_start.push_back(rows.size());
   rows.line = std::move(points.table.line);
-  return {file.path(), "rows", std::move(rows)};
+  SourceData data{.path = file.path(), .format = "rows", .content = std::move(rows)};
+  data.notes = std::move(points.notes);
+  data.columns = std::move(points.told);
+  data.columns_from = std::move(points.columns_from);
+  return data;
 }
 
 SourceData read_rows(const FileBytes& file, const ReadOptions& options) {

@@ -26,7 +26,9 @@ LineReader::LineReader(std::string_view text) : rest_(text) {
 bool LineReader::next(TextLine& line) {
   if (rest_.empty()) return false;
   const std::size_t end = rest_.find(end_);
-  line.text = trimmed(rest_.substr(0, end));
+  line.whole = rest_.substr(0, end);
+  while (line.whole.ends_with('\r')) line.whole.remove_suffix(1);
+  line.text = trimmed(line.whole);
   line.number = ++number_;
   rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
   return true;

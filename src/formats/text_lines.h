@@ -23,7 +23,8 @@ std::string lower_case(std::string_view text);
 /// One line without its end; blanks at both ends are left out.
 struct TextLine {
   std::string_view text;
-  Index number = 0;  ///< from 1
+  Index number = 0;          ///< from 1
+  std::string_view whole{};  ///< with the blanks at its ends
 };
 
 /// Lines of a text that end with LF, CR LF or (where the text has no LF at all) CR.

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place_text.h"
 #include "knotfit/errors.h"
 #include "parameterize/cloud_base.h"
 #include "parameterize/cloud_graph.h"
 #include "parameterize/cloud_neighbours.h"
 #include "parameterize/cloud_triangulation.h"
 #include "parameterize/row_triangulation.h"
+#include "parameterize/table_checks.h"
 namespace knotfit {
 namespace {
 
@@ -102,6 +104,7 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
   if (options.neighbours < 6 || options.neighbours > 64)
     throw InvalidInput(fmt::format("{} neighbours of a point; there are 6 to 64", options.neighbours));
   check_normals(options.normals, n);
+  parameterize::check_strays(points, 3, {});
   const CloudBase base = options.base;
   if (base == CloudBase::given || base == CloudBase::surface)
     throw InvalidInput("a base surface is given to another function, and so are parameters");
@@ -187,10 +190,11 @@ std::string describe(const CloudMap& c) {
       break;
     case CloudBase::cylinder:
       text = fmt::format(
-          "cylinder of radius {:.6g} around ({:.4g}, {:.4g}, {:.4g}) through ({:.6g}, {:.6g}, {:.6g}), "
+          "cylinder of radius {:.6g} around ({:.4g}, {:.4g}, {:.4g}) through ({}, {}, {}), "
           "points {:.4g} "
           "RMS off it",
-          c.radius, c.axis[0], c.axis[1], c.axis[2], c.centre[0], c.centre[1], c.centre[2], c.scatter);
+          c.radius, c.axis[0], c.axis[1], c.axis[2], place_text(c.centre[0]), place_text(c.centre[1]),
+          place_text(c.centre[2]), c.scatter);
       break;
     case CloudBase::surface:
       text = fmt::format("surface given, points {:.4g} RMS off it", c.scatter);

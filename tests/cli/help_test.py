@@ -103,7 +103,7 @@ class Help(ToolTest):
     def test_every_option_of_the_issue_is_there(self):
         wanted = ("--tol --within --rms --control-points --knots --knots-u --knots-v --knots-from --degree --refine "
                   "--max-control-points --max-fits --time-limit --height-field --spacing --rescale-parameters "
-                  "--duplicates --columns --input-format --nodata --classes --returns --feature --feature-file --smoothing --between --cell --fill-holes "
+                  "--duplicates --columns --input-format --nodata --skip-lines --classes --returns --feature --feature-file --smoothing --between --cell --fill-holes "
                   "--output --force --threads --quiet --json --options --largest-part --orient --drop-degenerate "
                   "--corners --omega --base --new-parameters --correct --fairness --samples --reflections --unit --name --step-schema "
                   "--cad-safe --cad-tol").split()

@@ -114,8 +114,8 @@ TEST(Registry, CountsOfEveryHeaderMayBeWrittenAsFloatingPointNumbers) {
 }
 
 TEST(Registry, NamesTheFormatsThereAre) {
-  for (const char* words :
-       {"unknown extension .foo", "esri-ascii (.asc .grd)", "csv (.csv .tsv .txt .xyz .dat)", "npy (.npy)"})
+  for (const char* words : {"unknown extension .foo", "esri-ascii (.asc .grd)",
+                            "csv (.csv .tsv .txt .xyz .pts .dat)", "npy (.npy)"})
     refuses("a.foo", "1 2 3\n", words);
   refuses("points", "1 2 3\n", "a name without an extension does not tell the format");
   refuses("a.foo", "1 2 3\n", "--input-format");

@@ -28,7 +28,7 @@ _knotfit() {
     --between) COMPREPLY=($(compgen -W "on off" -- "$current")); return ;;
     --points | --options | --knots-from | --feature-file | -o | --output) COMPREPLY=($(compgen -f -- "$current")); return ;;
     --tol | --sizes | --tolerances | --evaluations | --knots-t | --within | --control-points | --degree | --shear | --max-control-points | --max-fits | --time-limit | \
-      --knots-u | --knots-v | --smoothing | --columns | --nodata | --classes | --cell | --threads | --at | --grid | \
+      --knots-u | --knots-v | --smoothing | --columns | --nodata | --skip-lines | --block | --classes | --cell | --threads | --at | --grid | \
       --derivatives | --derivative | --omega | --fairness | --samples | --lines | --name | --cad-tol | --face) return ;;
   esac
 
@@ -36,7 +36,7 @@ _knotfit() {
     COMPREPLY=($(compgen -W "fit compare fit-curve parameterize eval distance info convert methods formats --help --help-all --version" -- "$current"))
     return
   fi
-  local input="--input-format --columns --nodata --classes --returns" output="-o --output --force --overwrite"
+  local input="--input-format --columns --nodata --skip-lines --classes --returns" output="-o --output --force --overwrite"
   local mesh="--largest-part --orient --drop-degenerate --corners --omega --fill-holes"
   local surface="--unit --face" cad="--name --step-schema --cad-safe --cad-tol"
   case $command in
@@ -53,7 +53,7 @@ _knotfit() {
         $mesh $output --json --between --threads -q --quiet" ;;
     fit-curve)
       options="--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit --knots
-        --knots-t --compare --feature --feature-file --evaluations --smoothing $input --closed --function --spacing --corrected $output
+        --knots-t --compare --feature --feature-file --evaluations --smoothing $input --block --closed --function --spacing --corrected $output
         --unit --name --step-schema --json --threads -q --quiet" ;;
     parameterize) options="$mesh --map --lines --input-format $output --json --threads -q --quiet" ;;
     eval)

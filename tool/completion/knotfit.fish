@@ -31,7 +31,9 @@ set -l list "__fish_seen_subcommand_from methods formats"
 
 complete -c knotfit -n "__fish_seen_subcommand_from fit compare fit-curve parameterize eval distance info convert" -l input-format -x -a '(knotfit formats --names)' -d 'Format of the input'
 complete -c knotfit -n $read -l columns -x -d 'What the columns are'
-complete -c knotfit -n $read -l nodata -x -d 'Value that stands for a hole'
+complete -c knotfit -n $read -l nodata -x -a 'nan' -d 'What stands for missing data'
+complete -c knotfit -n $read -l skip-lines -x -d 'Leave out the first lines of a text'
+complete -c knotfit -n $curve -l block -x -d 'Which of several blocks of points'
 complete -c knotfit -n $both -l base -r -a 'auto plane cylinder graph' -d 'What points without parameters are projected to'
 complete -c knotfit -n $read -l classes -x -d 'Only LAS points of these classes'
 complete -c knotfit -n $read -l returns -x -a 'first last' -d 'Only these returns of LAS pulses'
