@@ -257,7 +257,7 @@ Index approach_feet(Faces faces, const std::vector<Vec3>& position, std::span<co
                     std::vector<double>& uv) {
   constexpr int most_sweeps = 60;
   constexpr double far = 3;            // times the distance, or its RMS
-  constexpr double least_area = 0.02;  // of what a triangle had
+  constexpr double least_area = 1e-3;  // of what a triangle had
   constexpr double ways[] = {1, 0.5, 0.25, 0.1};
   const CellPolynomials cells(surface);
   const Stars stars(faces, position.size());

@@ -252,6 +252,7 @@ Box draw_parameter_plane(Canvas& canvas, const Content& content, const Box& pane
     draw_points(canvas, content, plane, em);
   } else {
     draw_heights(canvas, content, plane);
+    draw_openings(canvas, content, plane, em);
   }
   draw_knot_lines(canvas, content, plane, em);
   draw_thin(canvas, content, plane, em);

@@ -53,7 +53,7 @@ class ReportedInputs(ToolTest):
         self.assertAlmostEqual(filled["input"]["cloud"]["covered"], 1 - hole["share_of_square"], delta=1e-9)
         over = self.run_json("fit", plate, "--control-points", "8", "--fill-holes", "--base", "plane")
         self.assertAlmostEqual(over["input"]["cloud"]["holes"][0]["share_of_square"], math.pi * 0.33 ** 2, delta=0.03)
-        self.assertEqual(self.load("s.json")["knotfit"]["result"]["input"]["cloud"]["holes"], [hole])
+        self.assertEqual(self.load("s.json")["result"]["input"]["cloud"]["holes"], [hole])
         self.assertEqual((self.folder / "s.svg").read_bytes()[:5], b"<?xml")
 
     def test_a_tube_as_a_mesh(self):
