@@ -6,9 +6,8 @@
 #include "knotfit/source_data.h"
 namespace knotfit {
 
-/// A node is over the data where a point is within 1.5 spacings of it, or where it lies under triangles of the points and
-/// one is within 2.5 (spacing: the median circle through the corners of a triangle, over two rings about the point); never in
-/// an opening (CloudMap::openings).
+/// A node is over the data where a point is within 2.5 spacings of it (spacing: the median circle through the corners of a
+/// triangle, over two rings about the point) and it is in no opening (CloudMap::openings).
 /// \param points  their x, y are those of the map
 /// \param grid    its z is not looked at
 /// \return rows x columns as Raster::z has them: 1 over the data

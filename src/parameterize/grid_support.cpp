@@ -8,8 +8,8 @@
 namespace knotfit {
 namespace {
 
-constexpr double kBeyond = 1.5, kWithin = 2.5;  // spacings: outside the triangles, and under them
-enum Mark : char { kClose = 1, kNear = 2, kUnder = 4, kOpen = 8 };
+constexpr double kReach = 2.5;  // spacings from a point
+enum Mark : char { kNear = 1, kOpen = 2 };
 
 /// Nodes of the raster in its own steps: column and row of a place.
 struct Steps {
@@ -46,9 +46,6 @@ std::vector<char> grid_support(const ParameterizedPoints& points, const Raster& 
   }
   const CloudMap cloud = cloud::triangulate(flat, places);
   const Mesh& mesh = cloud.mesh;
-  std::vector<Mark> of_face(mesh.faces.size(), kUnder);
-  for (const Opening& o : cloud.openings)
-    for (const std::int32_t f : o.faces) of_face[f] = kOpen;
   std::vector<std::array<std::int32_t, 3>> data;
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (mesh.virtual_face[f] == 0) data.push_back(mesh.faces[f]);
@@ -56,34 +53,31 @@ std::vector<char> grid_support(const ParameterizedPoints& points, const Raster& 
 
   std::vector<char> marks(static_cast<std::size_t>(grid.rows * grid.columns), 0);
   const Steps steps{grid};
-  const auto disc = [&](Index k, double radius, Mark with) {
+  for (Index k = 0; k < points.size(); ++k) {
+    const double radius = kReach * spacing.at(static_cast<std::int32_t>(k));
+    if (!std::isfinite(radius)) continue;
     const double x = places[2 * k], y = places[2 * k + 1];
     mark(marks, grid, {steps.column(x - radius), steps.column(x + radius)},
-         {steps.row(y + radius), steps.row(y - radius)}, with,
+         {steps.row(y + radius), steps.row(y - radius)}, kNear,
          [&](double a, double b) { return std::hypot(a - x, b - y) <= radius; });
-  };
-  for (Index k = 0; k < points.size(); ++k) {
-    const double s = spacing.at(static_cast<std::int32_t>(k));
-    if (!std::isfinite(s)) continue;
-    disc(k, kBeyond * s, kClose);
-    disc(k, kWithin * s, kNear);
   }
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    double x[3], y[3];
-    for (int k = 0; k < 3; ++k) x[k] = places[2 * mesh.faces[f][k]], y[k] = places[2 * mesh.faces[f][k] + 1];
-    const auto [left, right] = std::minmax({x[0], x[1], x[2]});
-    const auto [low, high] = std::minmax({y[0], y[1], y[2]});
-    mark(marks, grid, {steps.column(left), steps.column(right)}, {steps.row(high), steps.row(low)},
-         of_face[f], [&](double a, double b) {
-           for (int k = 0; k < 3; ++k) {
-             const int l = (k + 1) % 3;
-             if ((x[l] - x[k]) * (b - y[k]) - (y[l] - y[k]) * (a - x[k]) < 0) return false;
-           }
-           return true;
-         });
-  }
-  for (char& m : marks)
-    m = (m & kOpen) == 0 && ((m & kClose) != 0 || ((m & kUnder) != 0 && (m & kNear) != 0));
+  for (const Opening& o : cloud.openings)
+    for (const std::int32_t f : o.faces) {
+      double x[3], y[3];
+      for (int k = 0; k < 3; ++k)
+        x[k] = places[2 * mesh.faces[f][k]], y[k] = places[2 * mesh.faces[f][k] + 1];
+      const auto [left, right] = std::minmax({x[0], x[1], x[2]});
+      const auto [low, high] = std::minmax({y[0], y[1], y[2]});
+      mark(marks, grid, {steps.column(left), steps.column(right)}, {steps.row(high), steps.row(low)}, kOpen,
+           [&](double a, double b) {
+             for (int k = 0; k < 3; ++k) {
+               const int l = (k + 1) % 3;
+               if ((x[l] - x[k]) * (b - y[k]) - (y[l] - y[k]) * (a - x[k]) < 0) return false;
+             }
+             return true;
+           });
+    }
+  for (char& m : marks) m = m == kNear;
   return marks;
 }
 
