@@ -51,7 +51,7 @@ struct CloudMap {
   std::vector<Index> stray_rows;  ///< of map_rows(): left out, far from both neighbours; from 0
   double covered = 0;   ///< share of the square under triangles of the data: elsewhere the surface is free
   double outlined = 0;  ///< the same, gaps within the outline included
-  /// Share of the square where no point is within 4 spacings of those about it (spacing: the median circle through the
+  /// Share of the square where no point is within 2.5 spacings of those about it (spacing: the median circle through the
   /// corners of a triangle). A ragged rim leaves none, a round outline in its rectangle does.
   double bare = 0;
   /// Gaps within the outline that hold an empty circle of 4 spacings or more: windows, the second rim of a tube.

@@ -11,7 +11,9 @@
 namespace knotfit::correction {
 namespace {
 
-constexpr double kKnown = 0.01;        // of the largest distance
+constexpr double kKnown = 0.01;  // of the largest distance
+constexpr double kUnseen =
+    2;  // of how much the distances about a cell of the grid differ: what it may hold more
 constexpr int kMostLevels = 14;        // of quarters
 constexpr Index kMostCells = 200'000;  // of a level, those that may hold most
 
@@ -133,8 +135,7 @@ class Search {
             reach = std::max(reach, length(at(&grid_.point[3 * (a * n_v_ + b)]) - at(&grid_.point[3 * q])));
           }
         if (side_[q] >= 0) low = std::min(low, side_[q]), high = std::max(high, side_[q]);
-        // Half of the way to the neighbours is the cell's; the whole of their difference stands for what is not seen.
-        bound[q] = std::max(distance(i, j), side_[q]) + std::min(high - low, reach);
+        bound[q] = std::max(distance(i, j), side_[q]) + std::min(kUnseen * (high - low), reach);
       }
     });
     std::vector<Cell> cells;

@@ -12,6 +12,7 @@ namespace {
 constexpr double kCore =
     2.5;  // spacings, of the sparsest corner: triangles with larger circles may be an opening's
 constexpr double kAround = 2;   // spacings: triangles about an opening with larger circles belong to it
+constexpr double kReach = 2.5;  // spacings that a point stands for
 constexpr double kLarge = 0.6;  // of its empty circle an opening is at least
 
 using Point = std::array<double, 2>;
@@ -256,7 +257,7 @@ double bare_share(std::span<const double> places, const std::vector<double>& spa
   std::vector<char> near(cells * cells, 0);
   for (std::size_t k = 0; k < spacing.size(); ++k) {
     if (counts[k] == 0) continue;
-    const double reach = std::min(kOpening * spacing[k], 2 * std::hypot(high[0] - low[0], high[1] - low[1]));
+    const double reach = std::min(kReach * spacing[k], 2 * std::hypot(high[0] - low[0], high[1] - low[1]));
     Index from[2], to[2];
     for (int c = 0; c < 2; ++c) {
       const double x = (places[2 * k + c] - low[c]) / step[c], wide = reach / step[c];

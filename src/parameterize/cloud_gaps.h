@@ -53,7 +53,7 @@ std::vector<Opening> cloud_openings(const Mesh& mesh, std::span<const double> lo
 /// Those of the points, n x 3, whose entry is 0.
 std::vector<double> loose_points(std::span<const double> points, const std::vector<char>& joined);
 
-/// Share of the places' box farther than kOpening spacings from every point that counts.
+/// Share of the places' box farther than 2.5 spacings from every point that counts: even points leave none along their rim.
 double bare_share(std::span<const double> places, const std::vector<double>& spacing,
                   const std::vector<char>& counts, const std::array<double, 2>& low,
                   const std::array<double, 2>& high);

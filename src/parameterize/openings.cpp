@@ -82,7 +82,8 @@ void measure_openings(std::vector<Opening>& openings, const Mesh& mesh, std::spa
 double covered_share(const Mesh& mesh, std::span<const double> uv, const std::vector<Opening>& openings) {
   double share = 0;
   for (const auto& f : mesh.faces) share += area_of(uv, f);
-  if (std::abs(share - 1) < 1e-9) share = 1;  // a whole square is one, whatever its areas round to
+  // A whole square is one, whatever its areas round to, and where the map bends edges that it halves (MeshMap).
+  if (std::abs(share - 1) < 1e-3) share = 1;
   for (const Opening& o : openings) share -= o.share_of_square;
   return std::max(share, 0.0);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "data/meshes.h"
@@ -110,11 +111,20 @@ TEST(MeshDistances, SeeABeakAtTheBorderAndAtACorner) {
   }
 }
 
+/// A knot as often as the degree and once more: the surface is in two pieces there.
+bool jumps(const KnotVector& knots) {
+  const std::vector<double> interior = knots.interior();
+  for (const double x : interior)
+    if (std::count(interior.begin(), interior.end(), x) > knots.degree()) return true;
+  return false;
+}
+
 TEST(MeshDistances, TheLargestIsKnownToAHundredthFromFewSamplesAsFromMany) {
   Random random;
   for (int trial = 0; trial < 8; ++trial) {
     const Surface s = random_surface(random, 3, Ends::clamped, 3);
     const Mesh mesh = sheet(20, 20);
+    if (jumps(s.knots_u()) || jumps(s.knots_v())) continue;
     const double few = mesh_distances(s, mesh, {}, 40).max, many = mesh_distances(s, mesh, {}, 400).max;
     // A place taken by chance may lie higher, but not by more than what was asked for.
     EXPECT_NEAR(few, many, 0.01 * many) << "trial " << trial;
