@@ -380,11 +380,11 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   add_cad_options(app, c.cad, "The unit of the data, for STEP and IGES outputs; default mm");
   const std::string output = "Output";
   add_cell(app, c.cell, "Cell size of an .asc output, or two as 30x25; default: the input raster's own grid");
-  add_flag(
-      app, "--fill-holes",
-      "Heights of the surface where the input raster has holes; of a mesh: close every boundary loop but "
-      "the longest before it is mapped",
-      output, [&] { c.fill_holes = true; });
+  add_flag(app, "--fill-holes",
+           "Heights of the surface where the input has no data; of a mesh or a cloud: close its openings, "
+           "every boundary "
+           "loop but the longest, before it is mapped",
+           output, [&] { c.fill_holes = true; });
   add_flag(app, "--json", "One JSON object on standard output in place of the summary", output,
            [&] { fit.json = true; });
   const std::string running = "Running";

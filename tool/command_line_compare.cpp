@@ -57,6 +57,9 @@ void add_compare(CLI::App& app, CompareArguments& compare) {
       [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
   add_data_options(app, c);
   add_mesh_options(app, c);
+  add_flag(app, "--fill-holes",
+           "Close the openings of a cloud, and every boundary loop of a mesh but the longest", "Meshes",
+           [&] { c.fill_holes = true; });
   add(app, "-o,--output", "FOLDER",
       "Tables (CSV, JSON), every surface, and pictures (SVG, PNG): error against control points, and each "
       "method's "

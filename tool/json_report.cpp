@@ -75,7 +75,7 @@ Json input_of(const FitReport& r) {
                 {"height_field", r.result.height_field},
                 {"diagonal", number(r.result.diagonal)}};
   if (r.input.mesh) input["mesh"] = Json::parse(mesh_to_json(*r.input.mesh));
-  if (r.input.mesh && r.input.mesh->cloud) input["cloud"] = Json::parse(cloud_to_json(*r.input.mesh->cloud));
+  if (r.input.mesh && r.input.mesh->cloud) input["cloud"] = Json::parse(cloud_to_json(*r.input.mesh));
   if (const auto& raster = r.input.raster)
     input["grid"] = {{"columns", raster->columns}, {"rows", raster->rows},     {"x0", number(raster->x0)},
                      {"y0", number(raster->y0)},   {"dx", number(raster->dx)}, {"dy", number(raster->dy)}};
@@ -110,6 +110,7 @@ Json correction_of(const FitReport& r) {
           {"standard_deviation", number(v.deviation)},
           {"error_at_parameters",
            {{"rms", number(fit.at_parameters.rms)}, {"max", number(fit.at_parameters.max)}}},
+          {"off_foot", fit.off_foot},
           {"surface_to_mesh",
            back.count == 0
                ? Json(nullptr)
@@ -117,6 +118,7 @@ Json correction_of(const FitReport& r) {
           {"folds",
            {{"blurred", folds.blurred},
             {"raw", folds.raw},
+            {"pleats", folds.pleats},
             {"flipped_triangles", folds.flipped},
             {"least_sine", number(folds.least_sine)},
             {"normal_angle", number(folds.normal_angle)},

@@ -98,9 +98,11 @@ std::string correction_lines(const FitReport& r) {
                         error_text(fit.to_mesh.rms, diagonal));
   return text +
          fmt::format(
-             "folds: {:.2g} % of the square ({:.2g} % against single triangles), {} triangles turned over\n"
+             "folds: {:.2g} % of the square{}, {} triangles turned over\n"
              "       normals {:.3g} degrees from the blurred mesh's, rms\n",
-             100 * folds.blurred, 100 * folds.raw, folds.flipped, folds.normal_angle);
+             100 * folds.blurred,
+             folds.pleats > 0 ? fmt::format(", narrower than a span {:.2g} %", 100 * folds.pleats) : "",
+             folds.flipped, folds.normal_angle);
 }
 
 std::string between_line(const BetweenReport& b, double diagonal) {
