@@ -33,6 +33,8 @@ class Said(ToolTest):
         known = self.known() | OTHERS
         for script in (SOURCE / "scripts").iterdir():
             known |= set(OPTION.findall(script.read_text(encoding="utf-8")))
+        for program in (SOURCE / "tests").rglob("*.py"):  # the matrix, which scripts/matrix starts
+            known |= set(re.findall(r'add_argument\("(--[a-z-]+)"', program.read_text(encoding="utf-8")))
         found = 0
         for path in paths:
             for option in OPTION.findall(words_of(path.read_text(encoding="utf-8"))):
