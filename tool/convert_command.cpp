@@ -99,13 +99,16 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
   }
 }
 
-void convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+// What the reader notes, a line each.
+std::string convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::surface || file.kind == OutputKind::picture || file.kind == OutputKind::cad)
       throw InvalidInput(fmt::format(
           "{}: data becomes .csv, .asc or .grd, and a mesh .obj or .ply; a {} needs a surface: knotfit fit",
           file.path, file.extension));
-  const SourceData data = read_input(arguments.input, arguments.read);
+  InputOptions options = arguments.read;
+  options.keep_parameters = true;
+  const SourceData data = read_input(arguments.input, options);
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::mesh && mesh == nullptr)
@@ -119,17 +122,20 @@ void convert_data(const ConvertArguments& arguments, const std::vector<OutputFil
     else
       write_text_file(file.path, arguments.output.force, to_csv(points_table(data)));
   }
+  std::string text;
+  for (const std::string& note : data.notes) text += "note: " + note + "\n";
+  return text;
 }
 
 }  // namespace
 
 int run_convert(const ConvertArguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  std::string text;
   if (holds_surfaces(arguments.input))
     convert_surface(arguments, files);
   else
-    convert_data(arguments, files);
-  std::string text;
+    text = convert_data(arguments, files);
   for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
   print(text);
   return kReached;

@@ -153,6 +153,7 @@ int run_distance(const DistanceArguments& arguments) {
               {"surface_to_mesh", both ? to_json(back, document.map) : Json(nullptr)},
               {"tolerance", arguments.tolerance ? Json(tolerance) : Json(nullptr)},
               {"share_within", arguments.tolerance ? Json(within) : Json(nullptr)},
+              {"notes", data.notes},
               {"outputs", arguments.output.paths}};
     print(j.dump() + "\n");
   } else if (!arguments.quiet) {
@@ -163,6 +164,7 @@ int run_distance(const DistanceArguments& arguments) {
                       document.map, diagonal, false);
     if (arguments.tolerance)
       text += fmt::format("within {:.6g}: {:.6g} % of the points\n", tolerance, 100 * within);
+    for (const std::string& note : data.notes) text += "note: " + note + "\n";
     for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
     print(text);
   }

@@ -11,6 +11,7 @@
 #include "input.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
+#include "knotfit/mesh_parameters.h"
 #include "outputs.h"
 #include "surface_file.h"
 #include "text_values.h"
@@ -85,9 +86,13 @@ DataFacts facts_of(const PointRows& rows) {
 
 DataFacts facts_of(const Mesh& mesh) {
   DataFacts facts{.content = "mesh"};
-  facts.read_as = mesh.uv.empty()
-                      ? "its vertices, with parameters from a map of the mesh"
-                      : "its vertices at their parameters u, v; with --new-parameters at those of a map";
+  const ParameterCheck check = mesh.uv.empty() ? ParameterCheck{} : check_parameters(mesh);
+  facts.read_as = mesh.uv.empty() ? "its vertices, with parameters from a map of the mesh"
+                  : check.one_to_one
+                      ? "its vertices at their parameters u, v; with --new-parameters at those of a map"
+                      : "its vertices, with parameters from a map of the mesh: its own (texture "
+                        "coordinates) are left aside, since " +
+                            check.why;
   const MeshReport report = inspect(mesh);
   try {
     require_disk(mesh);
@@ -127,7 +132,8 @@ DataFacts facts_of(const SourceData& data) {
 }
 
 std::string data_info(const InfoArguments& arguments) {
-  const SourceData data = read_input(arguments.file, arguments.input);
+  Index welded = 0;
+  const SourceData data = read_input(arguments.file, arguments.input, &welded);
   const DataFacts facts = facts_of(data);
   const Raster* raster = std::get_if<Raster>(&data.content);
   if (arguments.json) {
@@ -139,6 +145,7 @@ std::string data_info(const InfoArguments& arguments) {
     for (const Range& r : facts.ranges)
       j["ranges"][r.name] = r.empty() ? Json(nullptr) : Json{r.least, r.most};
     if (facts.content == "mesh") {
+      j["welded"] = welded;
       j["disk"] = facts.problem.empty();
       j["problem"] = facts.problem.empty() ? Json(nullptr) : Json(facts.problem);
     }

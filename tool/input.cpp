@@ -5,6 +5,7 @@
 #include "cloud_input.h"
 #include "knotfit/errors.h"
 #include "knotfit/parameterize.h"
+#include "welding.h"
 namespace knotfit::tool {
 namespace {
 
@@ -16,7 +17,11 @@ ParameterizedPoints parameterize(const Mesh& mesh, const FitChoices& choices, co
   }
   mapped = map_mesh(mesh, choices, control);
   if (mapped->map) return mesh_points(mapped->mesh, mapped->map->uv);
-  return parameterize_given(table_of(mapped->mesh), choices.rescale_parameters.value_or(false));
+  try {
+    return parameterize_given(table_of(mapped->mesh), choices.rescale_parameters.value_or(false));
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(std::string(e.what()) + ", --new-parameters maps the mesh and leaves its own aside");
+  }
 }
 
 /// A correction of parameters that the points came with is asked for.
@@ -76,14 +81,17 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
 
 }  // namespace
 
-SourceData read_input(const std::string& path, const InputOptions& options) {
+SourceData read_input(const std::string& path, const InputOptions& options, Index* welded) {
   ReadOptions read;
   read.format = options.format.value_or("");
   read.columns = options.columns.value_or(std::vector<std::string>{});
   read.nodata = options.nodata;
   read.classes = options.classes.value_or(std::vector<int>{});
   read.returns = options.returns.value_or(std::vector<int>{});
-  return read_data(path, read);
+  SourceData data = read_data(path, read);
+  const Index count = weld_input(data, options);
+  if (welded != nullptr) *welded = count;
+  return data;
 }
 
 Index count_holes(const SourceData& data) {
@@ -123,14 +131,20 @@ PointTable table_of(const Raster& raster) {
 
 FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control) {
   FitInput input;
-  SourceData data = read_input(path, choices.input);
+  SourceData data = read_input(path, choices.input, &input.summary.welded);
   input.summary.path = path;
   input.summary.format = data.format;
   input.summary.holes = count_holes(data);
+  input.summary.notes = data.notes;
   try {
     const Mesh* mesh = std::get_if<Mesh>(&data.content);
     input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
                                    : parameterize(data, choices, control, input.mesh);
+    if (input.mesh && !input.mesh->left_aside.empty())
+      input.summary.notes.push_back(
+          "the mesh's parameters (texture coordinates) are left aside and the mesh is mapped, "
+          "since " +
+          input.mesh->left_aside);
     // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
     double tolerance = 0;
     if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {

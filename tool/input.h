@@ -13,9 +13,11 @@ namespace knotfit::tool {
 /// What a report says of the input.
 struct InputSummary {
   std::string path, format;
-  Index points = 0;      ///< fitted
-  Index holes = 0;       ///< cells or points without data
-  Index duplicates = 0;  ///< points dropped since others have their parameters
+  Index points = 0;                ///< fitted
+  Index holes = 0;                 ///< cells or points without data
+  Index duplicates = 0;            ///< points dropped since others have their parameters
+  Index welded = 0;                ///< vertices of a mesh that went into others at their place
+  std::vector<std::string> notes;  ///< what the reader says of the file
 };
 
 struct FitInput {
@@ -28,8 +30,9 @@ struct FitInput {
   const ParameterizedPoints& every_point() const { return all_points.size() > 0 ? all_points : points; }
 };
 
-/// read_data with the tool's options.
-SourceData read_input(const std::string& path, const InputOptions& options);
+/// read_data with the tool's options, and vertices of meshes at the same place made one.
+/// \param welded  how many of them
+SourceData read_input(const std::string& path, const InputOptions& options, Index* welded = nullptr);
 
 /// \param choices  completed: tolerance present unless a size or knots make it absent
 /// \throws FileError, InvalidInput  the message begins with the path

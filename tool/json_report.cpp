@@ -71,6 +71,7 @@ Json input_of(const FitReport& r) {
                 {"points", s.points},
                 {"holes", s.holes},
                 {"duplicates", s.duplicates},
+                {"welded", s.welded},
                 {"dimension", r.input.points.dimension},
                 {"height_field", r.result.height_field},
                 {"diagonal", number(r.result.diagonal)}};
@@ -80,6 +81,13 @@ Json input_of(const FitReport& r) {
     input["grid"] = {{"columns", raster->columns}, {"rows", raster->rows},     {"x0", number(raster->x0)},
                      {"y0", number(raster->y0)},   {"dx", number(raster->dx)}, {"dy", number(raster->dy)}};
   return input;
+}
+
+// What the reader says of the file, then what the fit says.
+std::vector<std::string> notes_of(const FitReport& r) {
+  std::vector<std::string> notes = r.input.summary.notes;
+  notes.insert(notes.end(), r.result.notes.begin(), r.result.notes.end());
+  return notes;
 }
 
 // What a correction of the parameters left; null without one.
@@ -147,7 +155,7 @@ std::string stored_result(const FitReport& r) {
   Json j;
   add_outcome(j, r);
   j["input"] = input_of(r);
-  j["notes"] = r.result.notes;
+  j["notes"] = notes_of(r);
   return j.dump();
 }
 
@@ -165,7 +173,7 @@ std::string report_to_json(const FitReport& r) {
   j["peak_memory_bytes"] = r.peak_memory_bytes;
   j["input"] = input_of(r);
   j["options"] = Json::parse(options_to_json(r.choices));
-  j["notes"] = r.result.notes;
+  j["notes"] = notes_of(r);
   j["outputs"] = r.outputs;
   j["version"] = version();
   return j.dump();

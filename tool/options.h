@@ -60,12 +60,20 @@ struct BaseChoice {
   std::vector<std::string> curves{};  ///< files of four boundary curves, or none
 };
 
+/// --weld: vertices at the same place become one.
+struct WeldChoice {
+  bool off = false;
+  std::optional<ToleranceValue> tolerance{};  ///< none: the usual one
+};
+
 /// How a data file is read.
 struct InputOptions {
   std::optional<std::string> format;
   std::optional<std::vector<std::string>> columns;
   std::optional<double> nodata;
   std::optional<std::vector<int>> classes, returns;  ///< of LAS points, as ReadOptions
+  std::optional<std::string> weld;                   ///< of meshes: text of parse_weld
+  bool keep_parameters = false;                      ///< of meshes: none are given up in a weld
 };
 
 /// What STEP and IGES outputs are like.

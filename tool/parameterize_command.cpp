@@ -67,7 +67,8 @@ int run_parameterize(const ParameterizeArguments& arguments) {
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, 0);
   terminal.report({.stage = "read"});
-  const SourceData data = read_input(arguments.input, arguments.choices.input);
+  Index welded = 0;
+  const SourceData data = read_input(arguments.input, arguments.choices.input, &welded);
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
   if (mesh == nullptr)
     throw InvalidInput(arguments.input + ": holds no mesh; parameterize maps meshes (.ply .obj .off .stl)");
@@ -92,10 +93,13 @@ int run_parameterize(const ParameterizeArguments& arguments) {
   terminal.clear();
   if (arguments.json) {
     nlohmann::ordered_json j = nlohmann::ordered_json::parse(mesh_to_json(mapped));
+    j["welded"] = welded;
+    j["notes"] = data.notes;
     j["outputs"] = arguments.output.paths;
     print(j.dump() + "\n");
   } else if (!arguments.quiet) {
     std::string text = mesh_to_text(mapped);
+    for (const std::string& note : data.notes) text += "note: " + note + "\n";
     for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
     print(text);
   }

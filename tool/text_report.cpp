@@ -156,6 +156,7 @@ std::string report_to_text(const FitReport& r) {
   text += fmt::format("{} fits, {:.2f} s, {}", result.fits, r.seconds, memory_text(r.peak_memory_bytes));
   if (result.condition > 0) text += fmt::format(", condition {:.2g}", result.condition);
   text += "\n";
+  for (const std::string& note : r.input.summary.notes) text += "note: " + note + "\n";
   for (const std::string& note : result.notes) text += "note: " + note + "\n";
   for (const std::string& path : r.outputs) text += "wrote " + path + "\n";
   return text;

@@ -72,9 +72,13 @@ class PlyReader {
       else
         skip(element);
     }
-    rows_->end_file();
-    if (face_ != nullptr) return {file_.path(), "ply", builder_.finish()};
-    return {file_.path(), "ply", std::move(points_)};
+    std::vector<std::string> notes;
+    if (std::string after = rows_->end_file(); !after.empty()) notes.push_back(std::move(after));
+    if (face_ == nullptr) return {file_.path(), "ply", std::move(points_), std::move(notes)};
+    Mesh mesh = builder_.finish();
+    const std::vector<std::string> said = builder_.notes();
+    notes.insert(notes.end(), said.begin(), said.end());
+    return {file_.path(), "ply", std::move(mesh), std::move(notes)};
   }
 
  private:
@@ -121,8 +125,12 @@ class PlyReader {
   void take_vertex(double* value, Index row) {
     const Index line = rows_->line();
     clear_unknown_normal(value);
+    const auto matters = [this](Role role) {  // of a mesh the places alone: its parameters may be left aside
+      return role == Role::x || role == Role::y || role == Role::z ||
+             (face_ == nullptr && role != Role::skip);
+    };
     for (const Role role : roles_)
-      if (role != Role::skip && !std::isfinite(value[static_cast<int>(role)]))
+      if (matters(role) && !std::isfinite(value[static_cast<int>(role)]))
         builder_.fail(line,
                       fmt::format("vertex {} (counted from 0): {} is not finite", row, role_name(role)));
     if (face_ != nullptr) {

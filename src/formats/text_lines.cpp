@@ -47,6 +47,8 @@ std::string_view text_of(const FileBytes& file) {
   std::string_view text = file.view();
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw FileError(file.path(), "is UTF-16 text; save it as UTF-8");
+  text =
+      text.substr(0, text.find_last_not_of(std::string_view("\0\x1A", 2)) + 1);  // padding, a DOS file's end
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos)
     throw FileError(file.path(), "is not a text file (byte " + std::to_string(zero) + " is zero)");
