@@ -129,6 +129,7 @@ std::string compare_json(const std::vector<CompareRow>& rows, const FitInput& in
   return Json{{"input", input.summary.path},
               {"points", input.summary.points},
               {"dimension", input.points.dimension},
+              {"notes", input.summary.notes},
               {"stopped", stopped},
               {"rows", list},
               {"version", version()}}
