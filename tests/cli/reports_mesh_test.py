@@ -219,7 +219,7 @@ class TextureCoordinates(ReportsTest):
         kinds = {"on a line": lambda x, y: (x / 4, 0.25), "they lie on a line": lambda x, y: (x / 4, 1 - x / 4),
                  "mirrored": lambda x, y: (abs(x / 2 - 1), y / 3),
                  "those of another vertex": None,
-                 "none that is finite": lambda x, y: ("nan", y / 3) if x == 4 else (x / 4, y / 3),
+                 "of the vertices have none": lambda x, y: ("nan", y / 3) if x == 4 else (x / 4, y / 3),
                  "cover each other": lambda x, y: (0.5 + 0.1 * (1 + y) * math.cos(1.95 * x), 0.5 + 0.1 * (1 + y) * math.sin(1.95 * x))}
         for why, f in kinds.items():
             with self.subTest(why):
