@@ -15,6 +15,7 @@
 #include "outputs.h"
 #include "surface_file.h"
 #include "text_values.h"
+#include "welding.h"
 namespace knotfit::tool {
 namespace {
 
@@ -97,7 +98,7 @@ DataFacts facts_of(const Mesh& mesh) {
   try {
     require_disk(mesh);
   } catch (const InvalidInput& e) {
-    facts.problem = e.what();
+    facts.problem = e.what() + weld_hint(mesh);
   }
   facts.counts = {{"vertices", mesh.vertex_count()},
                   {"triangles", mesh.face_count()},

@@ -11,6 +11,7 @@
 #include "knotfit/errors.h"
 #include "knotfit/mesh_parameters.h"
 #include "text_values.h"
+#include "welding.h"
 namespace knotfit::tool {
 namespace {
 
@@ -81,11 +82,13 @@ MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& 
   try {
     require_disk(mapped.mesh);
   } catch (const InvalidInput& e) {
-    if (mapped.left_aside.empty()) throw;
+    const std::string hint = weld_hint(mapped.mesh);
+    if (mapped.left_aside.empty() && hint.empty()) throw;
+    if (mapped.left_aside.empty()) throw InvalidInput(e.what() + hint);
     throw InvalidInput(
         fmt::format("the mesh's parameters (texture coordinates) are no parameters of a surface, {}, "
                     "and a map of it is not to be had: {}",
-                    mapped.left_aside, e.what()));
+                    mapped.left_aside, e.what() + hint));
   }
   MeshMapOptions options = map_options(mapped.mesh, choices);
   options.newton = newton;

@@ -82,4 +82,21 @@ Index weld_input(SourceData& data, const InputOptions& options) {
   return summary.vertices;
 }
 
+std::string weld_hint(const Mesh& mesh) {
+  const Index parts = inspect(mesh).parts;
+  if (parts < 2) return "";
+  Index fewest = parts;
+  double best = 0;
+  for (const double percent : {1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
+    Mesh copy = mesh;
+    const Index left = weld(copy, percent / 100 * diagonal_of(mesh)).parts_after;
+    if (left < fewest) fewest = left, best = percent;
+    if (fewest == 1) break;
+  }
+  if (fewest == parts) return "";
+  return fmt::format("; edges of different parts lie within {0:g} of each other: --weld {1:g}% makes {2}",
+                     best / 100 * diagonal_of(mesh), best,
+                     fewest == 1 ? "one part of them" : fmt::format("{} parts of them", fewest));
+}
+
 }  // namespace knotfit::tool

@@ -1,5 +1,7 @@
 // Meshes whose vertices at the same place are made one as they are read.
 #pragma once
+#include <string>
+
 #include "knotfit/source_data.h"
 #include "options.h"
 namespace knotfit::tool {
@@ -9,5 +11,8 @@ namespace knotfit::tool {
 /// the options do not keep them.
 /// \return vertices that went into others
 Index weld_input(SourceData& data, const InputOptions& options);
+
+/// For a mesh of several parts: what --weld would join them, as the end of a sentence; empty where none would.
+std::string weld_hint(const Mesh& mesh);
 
 }  // namespace knotfit::tool

@@ -99,7 +99,7 @@ class Welding(ReportsTest):
         self.assertLess(report["error"]["max"], 0.005)
         # The same as without copies, whose file has a vertex a place in the same order of first use.
         self.assertIn("note: welded: 175 vertices", self.run_tool("fit", path, *SIZE).stdout)
-        self.refused("fit", path, *SIZE, "--weld", "off", words=["64 parts"])
+        self.refused("fit", path, *SIZE, "--weld", "off", words=["64 parts", "--weld 1e-05% makes one part of them"])
         self.assert_facts(self.info(path, "--weld", "off"), points=256, parts=64, welded=0, disk=False)
         again = self.run_json("fit", path, *SIZE, "--weld", "0.01%", "-o", "s.json")
         self.assertEqual(again["error"], report["error"])
@@ -160,7 +160,8 @@ class Welding(ReportsTest):
             self.write("a.obj", obj([tuple(map(repr, v)) for v in vertices + other], both))
             with self.subTest(width=width):
                 self.assertEqual(self.info("a.obj")["parts"], parts)
-        self.refused("fit", "a.obj", *SIZE, words=["2 parts"])
+        self.refused("fit", "a.obj", *SIZE, words=["2 parts", "--weld 0.1% makes one part of them"])
+        self.assertIn("--weld 0.1% makes one part of them", self.info("a.obj")["problem"])
         self.assertEqual(self.info("a.obj", "--weld", "0.002")["parts"], 1)
         self.assertEqual(self.info("a.obj", "--weld", "0.1%")["parts"], 1)
         self.refused("info", "a.obj", "--weld", "2%", words=["--weld", "at most 1 %"])
