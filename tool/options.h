@@ -74,6 +74,7 @@ struct InputOptions {
   std::optional<std::vector<int>> classes, returns;  ///< of LAS points, as ReadOptions
   std::optional<std::string> weld;                   ///< of meshes: text of parse_weld
   bool keep_parameters = false;                      ///< of meshes: none are given up in a weld
+  bool every_vertex = false;                         ///< of meshes: there is no weld
 };
 
 /// What STEP and IGES outputs are like.

@@ -40,7 +40,7 @@ Places of_file(const EvalArguments& arguments, const SurfaceDocument& document) 
   if (auto places = read_places_alone(path, arguments.input, document.height_field))
     return std::move(*places);
   InputOptions options = arguments.input;
-  options.weld = "off";  // every vertex is a place to look at
+  options.every_vertex = true;  // each is a place to look at
   SourceData data = read_input(path, options);
   Places places;
   if (const Raster* raster = std::get_if<Raster>(&data.content)) {

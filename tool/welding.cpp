@@ -47,7 +47,10 @@ WeldSummary weld_with_parameters(Mesh& mesh, double tolerance, bool keep_paramet
 
 Index weld_input(SourceData& data, const InputOptions& options) {
   Mesh* mesh = std::get_if<Mesh>(&data.content);
-  if (mesh == nullptr) return 0;
+  if (mesh == nullptr && options.weld.value_or("auto") != "auto")
+    throw InvalidInput(
+        fmt::format("{}: --weld {} is for meshes, and this is none", data.path, *options.weld));
+  if (mesh == nullptr || options.every_vertex) return 0;
   const WeldChoice choice = parse_weld(options.weld.value_or("auto"));
   if (choice.off) return 0;
   WeldSummary summary;
@@ -84,7 +87,7 @@ Index weld_input(SourceData& data, const InputOptions& options) {
 
 std::string weld_hint(const Mesh& mesh) {
   const Index parts = inspect(mesh).parts;
-  if (parts < 2) return "";
+  if (parts < 2 || !std::isfinite(diagonal_of(mesh))) return "";
   Index fewest = parts;
   double best = 0;
   for (const double percent : {1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {

@@ -167,6 +167,8 @@ class Welding(ReportsTest):
         self.refused("info", "a.obj", "--weld", "2%", words=["--weld", "at most 1 %"])
         for text in ("-1", "many", "nan", "1e999"):
             self.refused("info", "a.obj", "--weld", text, words=["--weld", text])
+        self.write_points()
+        self.refused("fit", "points.csv", "--weld", "0.1", words=["points.csv: --weld 0.1 is for meshes"])
 
     def test_a_tube_that_was_cut_open_stays_a_disk(self):
         n, m = 16, 5
