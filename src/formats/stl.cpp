@@ -309,12 +309,14 @@ class TextReader {
   std::string left_out_word_;
 };
 
-/// Text says "solid" first, but so do headers of binary files: facets with vertices then follow at once.
+/// Text says "solid" first, but so do headers of binary files: their bytes hold zeros, text none but at its end.
 bool is_text(std::string_view bytes) {
   if (bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * claimed_triangles(bytes)) return false;
+  bytes = bytes.substr(0, bytes.find_last_not_of('\0') + 1);
+  if (begins_with_solid(bytes) && bytes.find('\0') == std::string_view::npos) return true;
   const std::string head = lower_case(bytes.substr(0, 4096));
-  if (head.find("facet") != std::string::npos && head.find("vertex") != std::string::npos) return true;
-  return begins_with_solid(bytes) && bytes.find('\0') == std::string_view::npos;
+  return head.find('\0') == std::string::npos && head.find("facet") != std::string::npos &&
+         head.find("vertex") != std::string::npos;
 }
 
 }  // namespace

@@ -214,7 +214,7 @@ std::string binary(std::uint32_t claimed, const std::string& header, std::size_t
 }
 
 TEST(StlDialects, BytesAfterTheLastTriangleAreSaid) {
-  for (const char* header : {"made by hand", "solid of a program", "solid"}) {
+  for (const char* header : {"made by hand", "solid of a program", "solid", "solid facet vertex"}) {
     expect_square(mesh("a.stl", binary(2, header)));
     EXPECT_EQ(notes("a.stl", binary(2, header)), "");
     for (const std::string& more : {std::string("\n"), std::string(7, '\0'), std::string(512, 'x')}) {
