@@ -90,7 +90,8 @@ DataFacts facts_of(const Mesh& mesh) {
   const ParameterCheck check = mesh.uv.empty() ? ParameterCheck{} : check_parameters(mesh);
   facts.read_as = mesh.uv.empty() ? "its vertices, with parameters from a map of the mesh"
                   : check.one_to_one
-                      ? "its vertices at their parameters u, v; with --new-parameters at those of a map"
+                      ? "its vertices at their parameters u, v, which are one-to-one; with --new-parameters "
+                        "at those of a map"
                       : "its vertices, with parameters from a map of the mesh: its own (texture "
                         "coordinates) are left aside, since " +
                             check.why;
