@@ -16,6 +16,10 @@ if(KNOTFIT_SANITIZE)
   target_compile_definitions(knotfit_settings INTERFACE KNOTFIT_SANITIZED)
 endif()
 
+if(KNOTFIT_BUILD_FUZZ)
+  target_compile_options(knotfit_settings INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # knotfit_folder(NAME sources...): src/NAME as the object library knotfit_NAME.
 function(knotfit_folder name)
   foreach(source IN LISTS ARGN)

@@ -5,6 +5,7 @@
 #include "input.h"
 #include "knotfit/base_surface.h"
 #include "knotfit/errors.h"
+#include "parameterize/table_checks.h"
 #include "surface_file.h"
 #include "text_values.h"
 namespace knotfit::tool {
@@ -14,6 +15,7 @@ MappedMesh mapped(CloudMap cloud, const std::vector<Index>& line) {
   MappedMesh result;
   result.mesh = std::move(cloud.mesh);
   result.map = std::move(cloud.map);
+  result.openings = cloud.openings;
   for (Index& k : result.mesh.vertex_line)
     if (k > 0 && !line.empty()) k = line[k - 1];
   cloud.mesh = {};
@@ -61,12 +63,18 @@ MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const C
   std::vector<double> xyz;
   xyz.reserve(static_cast<std::size_t>(3 * table.size()));
   for (Index k = 0; k < table.size(); ++k) xyz.insert(xyz.end(), {table.x[k], table.y[k], table.z[k]});
+  parameterize::check_strays(xyz, 3, table.line);
   const BaseChoice base = parse_base(choices.base.value_or("auto"));
-  if (base.kind == CloudBase::surface)
-    return mapped(parameterize_cloud(xyz, base_surface(base), control), table.line);
+  const bool fill_holes = choices.fill_holes.value_or(false);
+  if (base.kind == CloudBase::surface) {
+    CloudMap cloud = parameterize_cloud(xyz, base_surface(base), control);
+    if (!fill_holes) require_no_openings(cloud);
+    return mapped(std::move(cloud), table.line);
+  }
   CloudOptions options;
   options.base = base.kind;
   options.map = map_options(choices);
+  options.fill_holes = fill_holes;
   for (std::size_t k = 0; k < table.nx.size(); ++k)
     options.normals.insert(options.normals.end(), {table.nx[k], table.ny[k], table.nz[k]});
   return mapped(parameterize_cloud(xyz, options, control), table.line);

@@ -1,28 +1,12 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <memory>
 
 #include "command_line_options.h"
 #include "help_text.h"
 #include "knotfit/errors.h"
-#include "knotfit/version.h"
 #include "text_values.h"
 namespace knotfit::tool {
-namespace {
-
-constexpr std::size_t kColumn = 34;  // where descriptions begin
-
-// CLI11's own lists what each option excludes; the parser's messages say so where it matters.
-class PlainFormatter : public CLI::Formatter {
- public:
-  std::string make_option_opts(const CLI::Option* option) const override {
-    if (option->get_type_size() == 0 || option->get_type_name().empty()) return "";
-    return " " + option->get_type_name() + (option->get_expected_max() > 1 ? " ..." : "");
-  }
-};
-
-}  // namespace
 
 // One option of one command, its value given to `take`; what `take` refuses is named by the option.
 CLI::Option* add(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
@@ -83,10 +67,16 @@ void add_input_options(CLI::App& app, InputOptions& input) {
       "by extension, then content",
       group, [&](const std::string& t) { input.format = t; });
   add(app, "--columns", "x,y,z,u,v,w",
-      "What the columns of a text file or array are, in order; nx, ny, nz are normals, - skips one", group,
-      [&](const std::string& t) { input.columns = parse_columns(t); });
-  add(app, "--nodata", "V", "Value that stands for a hole in a raster or an array", group,
-      [&](const std::string& t) { input.nodata = parse_number(t); });
+      "What the columns of a text file or array are, in order: the names a header may have; nx, ny, nz are "
+      "normals, r, g, b, intensity, time and - are left out",
+      group, [&](const std::string& t) { input.columns = parse_columns(t); });
+  add(app, "--nodata", "V|nan",
+      "What stands for missing data: a number (of z), or nan for every word that does (nan, NA, null, an "
+      "empty "
+      "cell). Cells become holes; points are left out and counted",
+      group, [&](const std::string& t) { input.nodata = parse_nodata(t); });
+  add(app, "--skip-lines", "N", "Leave out the first N lines of a text", group,
+      [&](const std::string& t) { input.skip_lines = static_cast<Index>(parse_count(t, 1)); });
   add(app, "--classes", "N,M,...", "Only LAS points of these classes, such as 2 for ground; default: all",
       group, [&](const std::string& t) { input.classes = parse_classes(t); });
   add(app, "--returns", "first|last|N,...",
@@ -94,11 +84,19 @@ void add_input_options(CLI::App& app, InputOptions& input) {
       [&](const std::string& t) { input.returns = parse_returns(t); });
 }
 
+void add_force(CLI::App& app, bool& force, const std::string& help) {
+  add_flag(app, "--force,--overwrite", help, "Output", [&] { force = true; });
+}
+
+void add_quiet(CLI::App& app, bool& quiet, const std::string& help) {
+  add_flag(app, "-q,--quiet", help, "Running", [&] { quiet = true; });
+}
+
 CLI::Option* add_output_options(CLI::App& app, OutputOptions& output, const std::string& what) {
   const std::string group = "Output";
   CLI::Option* o = add_repeated(app, "-o,--output", "FILE", what, group,
                                 [&](const std::string& t) { output.paths.push_back(t); });
-  add_flag(app, "--force", "Replace output files that exist", group, [&] { output.force = true; });
+  add_force(app, output.force, "Replace output files that exist");
   return o;
 }
 
@@ -358,7 +356,7 @@ void add_parameterize(CLI::App& app, ParameterizeArguments& parameterize) {
   add_flag(app, "--json", "One JSON object on standard output: the map's quality", "Output",
            [&] { parameterize.json = true; });
   add_threads(app, parameterize.threads);
-  add_flag(app, "--quiet", "No progress and no summary", "Running", [&] { parameterize.quiet = true; });
+  add_quiet(app, parameterize.quiet, "No progress and no summary");
 }
 
 void add_fit(CLI::App& app, FitArguments& fit) {
@@ -394,19 +392,18 @@ void add_fit(CLI::App& app, FitArguments& fit) {
   add_cad_options(app, c.cad, "The unit of the data, for STEP and IGES outputs; default mm");
   const std::string output = "Output";
   add_cell(app, c.cell, "Cell size of an .asc output, or two as 30x25; default: the input raster's own grid");
-  add_flag(
-      app, "--fill-holes",
-      "Heights of the surface where the input raster has holes; of a mesh: close every boundary loop but "
-      "the longest before it is mapped",
-      output, [&] { c.fill_holes = true; });
+  add_flag(app, "--fill-holes",
+           "Heights of the surface where the input has no data; of a mesh or a cloud: close its openings, "
+           "every boundary "
+           "loop but the longest, before it is mapped",
+           output, [&] { c.fill_holes = true; });
   add_flag(app, "--json", "One JSON object on standard output in place of the summary", output,
            [&] { fit.json = true; });
   const std::string running = "Running";
   add(app, "--between", one_of(kSwitch), "Measure the surface between the points too; default on", running,
       [&](const std::string& t) { c.between = parse_named(kSwitch, t); });
   add_threads(app, fit.threads);
-  add_flag(app, "--quiet", "No progress and no summary; errors and --json are still printed", running,
-           [&] { fit.quiet = true; });
+  add_quiet(app, fit.quiet, "No progress and no summary; errors and --json are still printed");
   const std::string repeat = "Repeating a fit";
   add(app, "--options", "FILE",
       "Repeat the options stored in a surface.json (or in the output of --json); "
@@ -507,63 +504,6 @@ void add_convert(CLI::App& app, ConvertArguments& convert) {
 void add_list(CLI::App& app, ListArguments& list) {
   add_flag(app, "--names", "Names alone, one a line", "Output", [&] { list.names = true; });
   add_flag(app, "--json", "One JSON array", "Output", [&] { list.json = true; });
-}
-
-ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
-  CommandLine line;
-  CLI::App app{"B-spline surfaces with the fewest control points that hold a tolerance.", "knotfit"};
-  const auto formatter = std::make_shared<PlainFormatter>();
-  formatter->column_width(kColumn);
-  app.formatter(formatter);  // before the commands, which inherit it
-  app.set_version_flag("--version", "knotfit " + std::string(version()), "Print the version");
-  app.set_help_flag("-h,--help", "Print this help");
-  app.require_subcommand(1);
-  app.footer(examples("") + "\nknotfit COMMAND --help says more.\n\n" + exit_statuses());
-
-  const auto command = [&](const std::string& name, const std::string& summary, Command value) {
-    CLI::App* sub = app.add_subcommand(name, summary);
-    sub->callback([&line, value] { line.command = value; });
-    return sub;
-  };
-  CLI::App* fit = command("fit", "Fit one B-spline surface to points, a mesh or terrain", Command::fit);
-  CLI::App* compare =
-      command("compare", "Every placement method on the same data: a table and pictures", Command::compare);
-  CLI::App* fit_curve = command("fit-curve", "Fit one B-spline curve to ordered points", Command::fit_curve);
-  CLI::App* parameterize =
-      command("parameterize", "Give the vertices of a mesh parameters u, v", Command::parameterize);
-  CLI::App* eval = command("eval", "Values, derivatives and differences of a surface", Command::eval);
-  CLI::App* distance =
-      command("distance", "Distances between a surface and points or a mesh", Command::distance);
-  CLI::App* info = command("info", "What a surface or a data file holds", Command::info);
-  CLI::App* convert = command("convert", "Write a surface or data in another format", Command::convert);
-  CLI::App* methods = command("methods", "List the knot placement methods", Command::methods);
-  CLI::App* formats = command("formats", "List the file formats", Command::formats);
-  add_fit(*fit, line.fit);
-  add_compare(*compare, line.compare);
-  add_fit_curve(*fit_curve, line.fit_curve);
-  add_parameterize(*parameterize, line.parameterize);
-  add_eval(*eval, line.eval);
-  add_distance(*distance, line.distance);
-  add_info(*info, line.info);
-  add_convert(*convert, line.convert);
-  add_list(*methods, line.list);
-  add_list(*formats, line.list);
-  fit->footer(examples("fit") + "\n" + exit_statuses());
-  for (CLI::App* sub : {compare, fit_curve, parameterize, eval, distance, info, convert})
-    sub->footer(examples(sub->get_name()));
-
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    return {.run = std::nullopt, .text = app.help()};  // the chosen command's, where there is one
-  } catch (const CLI::CallForVersion& e) {
-    return {.run = std::nullopt, .text = std::string(e.what()) + "\n"};
-  } catch (const CLI::ParseError& e) {
-    const auto chosen = app.get_subcommands();
-    throw UsageError(std::string(e.what()) + "; see knotfit " +
-                     (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
-  }
-  return {.run = std::move(line), .text = ""};
 }
 
 }  // namespace knotfit::tool

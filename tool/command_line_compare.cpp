@@ -57,19 +57,21 @@ void add_compare(CLI::App& app, CompareArguments& compare) {
       [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
   add_data_options(app, c);
   add_mesh_options(app, c);
+  add_flag(app, "--fill-holes",
+           "Close the openings of a cloud, and every boundary loop of a mesh but the longest", "Meshes",
+           [&] { c.fill_holes = true; });
   add(app, "-o,--output", "FOLDER",
       "Tables (CSV, JSON), every surface, and pictures (SVG, PNG): error against control points, and each "
       "method's "
       "knot lines over its errors in one colour scale",
       "Output", [&](const std::string& t) { compare.folder = t; });
-  add_flag(app, "--force", "Replace the files of a comparison that is there", "Output",
-           [&] { compare.force = true; });
+  add_force(app, compare.force, "Replace the files of a comparison that is there");
   add_flag(app, "--json", "One JSON object on standard output in place of the table", "Output",
            [&] { compare.json = true; });
   add(app, "--between", one_of(kSwitch), "Measure the surfaces between the points too; default on", "Running",
       [&](const std::string& t) { c.between = parse_named(kSwitch, t); });
   add_threads(app, compare.threads);
-  add_flag(app, "--quiet", "No progress and no table", "Running", [&] { compare.quiet = true; });
+  add_quiet(app, compare.quiet, "No progress and no table");
 }
 
 }  // namespace knotfit::tool

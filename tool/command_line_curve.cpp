@@ -8,7 +8,10 @@ namespace knotfit::tool {
 
 void add_fit_curve(CLI::App& app, CurveArguments& curve) {
   FitChoices& c = curve.choices;
-  add_input(app, "INPUT", curve.input, "Ordered points: x,y or x,y,z on each line, or one row of points");
+  add_input(
+      app, "INPUT", curve.input,
+      "Ordered points: x,y or x,y,z on each line (airfoils of Selig's or Lednicer's form too), an n x 2 or "
+      "n x 3 array, or one row of points");
   const std::string size = "Tolerance and size";
   add(app, "--tol", "X|X%",
       "Largest error allowed: absolute, or in % of the diagonal of the points' bounding box. Default, where "
@@ -71,6 +74,9 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
       [&](const std::string& t) { c.smoothing = parse_not_negative(t); });
   const std::string input = "Input";
   add_input_options(app, c.input);
+  add(app, "--block", "N",
+      "Which of several blocks of points (parted by blank lines, names or counts), from 1", input,
+      [&](const std::string& t) { curve.block = static_cast<Index>(parse_count(t, 1)); });
   CLI::Option* closed = add_flag(app, "--closed", "A closed curve: the last point is followed by the first",
                                  input, [&] { curve.closed = true; });
   CLI::Option* function =
@@ -96,7 +102,7 @@ void add_fit_curve(CLI::App& app, CurveArguments& curve) {
   add_flag(app, "--json", "One JSON object on standard output in place of the summary", "Output",
            [&] { curve.json = true; });
   add_threads(app, curve.threads);
-  add_flag(app, "--quiet", "No progress and no summary", "Running", [&] { curve.quiet = true; });
+  add_quiet(app, curve.quiet, "No progress and no summary");
 }
 
 }  // namespace knotfit::tool

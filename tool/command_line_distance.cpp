@@ -31,7 +31,7 @@ void add_distance(CLI::App& app, DistanceArguments& distance) {
   add_flag(app, "--json", "One JSON object on standard output in place of the summary", "Output",
            [&] { distance.json = true; });
   add_threads(app, distance.threads);
-  add_flag(app, "--quiet", "No progress and no summary", "Running", [&] { distance.quiet = true; });
+  add_quiet(app, distance.quiet, "No progress and no summary");
 }
 
 }  // namespace knotfit::tool

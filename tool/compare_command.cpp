@@ -37,12 +37,6 @@ CompareOptions compare_options(const CompareArguments& arguments) {
   return options;
 }
 
-std::string notes_text(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const std::string& note : notes) text += "note: " + note + "\n";
-  return text;
-}
-
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
@@ -75,7 +69,8 @@ int run_compare(const CompareArguments& arguments) {
   if (arguments.json)
     print(json);
   else if (!arguments.quiet)
-    print(compare_table(rows) + notes_text(input.summary.notes) + (folder ? "wrote " + arguments.folder + "\n" : ""));
+    print(compare_table(rows) + notes_to_text(input.summary.reading) +
+          (folder ? "wrote " + arguments.folder + "\n" : ""));
   if (stopped) {
     std::fprintf(stderr, "knotfit: stopped after %zu rows; they are kept\n", rows.size());
     return kStopped;

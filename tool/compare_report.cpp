@@ -126,14 +126,18 @@ std::string compare_csv(const std::vector<CompareRow>& rows) {
 std::string compare_json(const std::vector<CompareRow>& rows, const FitInput& input, bool stopped) {
   Json list = Json::array();
   for (const CompareRow& row : rows) list.push_back(json_row(row));
-  return Json{{"input", input.summary.path},
-              {"points", input.summary.points},
-              {"dimension", input.points.dimension},
-              {"notes", input.summary.notes},
-              {"stopped", stopped},
-              {"rows", list},
-              {"version", version()}}
-      .dump();
+  Json j = {{"input", input.summary.path},
+            {"points", input.summary.points},
+            {"dimension", input.points.dimension},
+            {"stopped", stopped},
+            {"rows", list},
+            {"notes", input.summary.reading.notes},
+            {"version", version()}};
+  if (const Reading& reading = input.summary.reading; !reading.columns.empty()) {
+    j["columns"] = reading.columns;
+    j["columns_from"] = reading.from;
+  }
+  return j.dump();
 }
 
 CompareFolder::CompareFolder(std::string path, bool force) : path_(std::move(path)) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "applicable_options.h"
 #include "cad_output.h"
 #include "commands.h"
 #include "data_conversion.h"
@@ -13,6 +14,7 @@
 #include "mesh_outputs.h"
 #include "outputs.h"
 #include "sampling.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 namespace knotfit::tool {
 namespace {
@@ -63,6 +65,10 @@ std::string picture_title(const SurfaceDocument& document, const std::string& pa
 }
 
 void convert_surface(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+  refuse_data_options(arguments.read.given, "a surface: it says how data is read");
+  std::vector<std::string> given = arguments.read.given;
+  if (is_cad_file(arguments.input)) std::erase(given, "--unit");  // that of the input
+  refuse_idle_output_options(given, files);
   const SurfaceDocument document =
       read_one_surface(arguments.input, {.unit = arguments.cad.unit, .face = arguments.face});
   const bool force = arguments.output.force;
@@ -99,8 +105,15 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
   }
 }
 
-// What the reader notes, a line each.
-std::string convert_data(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
+// Data has no JSON: standard output gets its points.
+/// \return what was done with the input, for the summary
+std::string convert_data(const ConvertArguments& arguments, std::vector<OutputFile> files) {
+  for (OutputFile& file : files)
+    if (is_dash(file.path)) file.kind = OutputKind::table;
+  refuse_given(arguments.read.given,
+               {"--face", "--cell", "--samples", "--reflections", "--grid", "--unit", "--name",
+                "--step-schema", "--cad-safe", "--cad-tol"},
+               "data: it is for surfaces");
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::surface || file.kind == OutputKind::picture || file.kind == OutputKind::cad)
       throw InvalidInput(fmt::format(
@@ -113,7 +126,7 @@ std::string convert_data(const ConvertArguments& arguments, const std::vector<Ou
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::mesh && mesh == nullptr)
       throw InvalidInput(fmt::format("{}: a {} holds a mesh or a surface, and {} holds neither", file.path,
-                                     file.extension, arguments.input));
+                                     file.extension, input_name(arguments.input)));
   for (const OutputFile& file : files) {
     if (file.kind == OutputKind::mesh)
       write_mesh_file(file, arguments.output.force, *mesh);
@@ -122,9 +135,8 @@ std::string convert_data(const ConvertArguments& arguments, const std::vector<Ou
     else
       write_text_file(file.path, arguments.output.force, to_csv(points_table(data)));
   }
-  std::string text;
-  for (const std::string& note : data.notes) text += "note: " + note + "\n";
-  return text;
+  const Reading reading = reading_of(data);
+  return columns_to_text(reading) + notes_to_text(reading);
 }
 
 }  // namespace
@@ -132,12 +144,11 @@ std::string convert_data(const ConvertArguments& arguments, const std::vector<Ou
 int run_convert(const ConvertArguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   std::string text;
-  if (holds_surfaces(arguments.input))
+  if (holds_surfaces(arguments.input, arguments.read))
     convert_surface(arguments, files);
   else
     text = convert_data(arguments, files);
-  for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
-  print(text);
+  print_summary(text + wrote(files), files);
   return kReached;
 }
 

@@ -12,6 +12,7 @@
 #include "knotfit/curve_picture.h"
 #include "knotfit/errors.h"
 #include "knotfit/version.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -38,6 +39,8 @@ Json outcome(const CurveReport& r) {
                  {"measure", kNames[static_cast<int>(f.asked.measure)]},
                  {"share", f.asked.share}};
   }
+  std::vector<std::string> notes = r.reading.notes;
+  notes.insert(notes.end(), f.notes.begin(), f.notes.end());
   return {{"control_points", f.control_points},
           {"degree", f.curve.degree()},
           {"closed", f.closed},
@@ -59,7 +62,8 @@ Json outcome(const CurveReport& r) {
           {"fits", f.fits},
           {"diagonal", number(f.diagonal)},
           {"points", r.points.size()},
-          {"notes", f.notes}};
+          {"left_out", r.reading.left_out},
+          {"notes", notes}};
 }
 
 std::string verdict(const CurveFitResult& f) {
@@ -111,6 +115,10 @@ std::string curve_to_json(const CurveReport& r) {
     tried.push_back({{"control_points", t.control_points}, {"error", number(t.error)}, {"holds", t.holds}});
   j["tried"] = tried;
   j["input"] = r.arguments.input;
+  if (!r.reading.columns.empty()) {
+    j["columns"] = r.reading.columns;
+    j["columns_from"] = r.reading.from;
+  }
   j["seconds"] = number(r.seconds);
   j["outputs"] = r.outputs;
   j["version"] = version();
@@ -119,12 +127,13 @@ std::string curve_to_json(const CurveReport& r) {
 
 std::string curve_to_text(const CurveReport& r) {
   const CurveFitResult& f = r.result;
-  std::string text = fmt::format("{}: {} points, {}{}, diagonal {:.6g}\n", r.arguments.input, r.points.size(),
-                                 f.closed ? "closed, " : "",
+  std::string text = fmt::format("{}: {} points, {}{}, diagonal {:.6g}\n", input_name(r.arguments.input),
+                                 r.points.size(), f.closed ? "closed, " : "",
                                  r.points.function         ? "y over x"
                                  : r.points.dimension == 2 ? "planar"
                                                            : "in space",
                                  f.diagonal);
+  text += columns_to_text(r.reading);
   text += fmt::format("curve: {} control points, degree {}, knots by {}\n", f.control_points,
                       f.curve.degree(), f.method);
   const auto share = [&](double x) {
@@ -138,9 +147,9 @@ std::string curve_to_text(const CurveReport& r) {
               : std::string("tolerance: none asked\n");
   text +=
       fmt::format("status: {}: {}\n{} fits, {:.2f} s\n", to_string(f.status), f.message, f.fits, r.seconds);
+  text += notes_to_text(r.reading);
   for (const std::string& note : f.notes) text += "note: " + note + "\n";
-  for (const std::string& path : r.outputs) text += "wrote " + path + "\n";
-  return text;
+  return text + wrote(r.outputs);
 }
 
 void check_curve_output(const OutputFile& file) {

@@ -7,12 +7,14 @@
 #include "knotfit/fit_curve.h"
 #include "options.h"
 #include "outputs.h"
+#include "reading.h"
 namespace knotfit::tool {
 
 struct CurveReport {
   const CurveFitResult& result;
   const CurvePoints& points;
   const CurveArguments& arguments;
+  const Reading& reading;
   double seconds = 0;
   std::vector<std::string> outputs{};  ///< files written
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "applicable_options.h"
+#include "base/place_text.h"
 #include "commands.h"
 #include "data_conversion.h"
 #include "exit_status.h"
@@ -15,6 +17,7 @@
 #include "outputs.h"
 #include "sampling.h"
 #include "signals.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 #include "terminal_progress.h"
 namespace knotfit::tool {
@@ -71,8 +74,9 @@ Json to_json(const DistanceSummary& s, const ParameterMap& map) {
 std::string to_text(const char* title, const DistanceSummary& s, const ParameterMap& map, double diagonal,
                     bool with_sign) {
   const auto [a, b] = map.from_uv(s.worst_u, s.worst_v);
-  std::string text = fmt::format("{}: rms {:.6g}, max {:.6g} at {} = {:.6g}, {} = {:.6g}", title, s.rms,
-                                 s.max, map.name_u, a, map.name_v, b);
+  const auto shown = [&](double x) { return map.identity() ? fmt::format("{:.6g}", x) : place_text(x); };
+  std::string text = fmt::format("{}: rms {:.6g}, max {:.6g} at {} = {}, {} = {}", title, s.rms, s.max,
+                                 map.name_u, shown(a), map.name_v, shown(b));
   if (diagonal > 0)
     text += fmt::format("\n  of the diagonal: rms {:.4g} %, max {:.4g} %", 100 * s.rms / diagonal,
                         100 * s.max / diagonal);
@@ -117,11 +121,15 @@ int run_distance(const DistanceArguments& arguments) {
   terminal.report({.stage = "read"});
   const Control control = terminal.control(stop.token());
 
+  refuse_idle_surface_options(arguments.surface, arguments.source);
   const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
   const Surface surface = surface_in_space(
       document, fmt::format("{}: the surface has {} coordinates; distances are of surfaces in space",
                             arguments.surface, document.surface.dimension()));
   const SourceData data = read_input(arguments.data, arguments.input);
+  if (!std::holds_alternative<Mesh>(data.content))
+    refuse_given(arguments.input.given, {"--samples"},
+                 "points: it is for the distance from the surface to a mesh");
   const std::vector<double> points = points_of(data);
   PointDistances distances;
   DistanceSummary back;
@@ -131,7 +139,7 @@ int run_distance(const DistanceArguments& arguments) {
     distances = point_distances(surface, points, {}, {}, control);
     if (both && !distances.stopped) back = mesh_distances(surface, *mesh, {}, arguments.samples, control);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.data + ": " + e.what());
+    throw InvalidInput(input_name(arguments.data) + ": " + e.what());
   }
   terminal.clear();
   if (stop.requested() || distances.stopped) return kStopped;
@@ -153,19 +161,22 @@ int run_distance(const DistanceArguments& arguments) {
               {"surface_to_mesh", both ? to_json(back, document.map) : Json(nullptr)},
               {"tolerance", arguments.tolerance ? Json(tolerance) : Json(nullptr)},
               {"share_within", arguments.tolerance ? Json(within) : Json(nullptr)},
-              {"notes", data.notes},
-              {"outputs", arguments.output.paths}};
+              {"outputs", arguments.output.paths},
+              {"notes", data.notes}};
+    if (!data.columns.empty()) j["columns"] = data.columns, j["columns_from"] = data.columns_from;
     print(j.dump() + "\n");
   } else if (!arguments.quiet) {
-    std::string text = to_text(fmt::format("{} points to the surface", distances.summary.count).c_str(),
-                               distances.summary, document.map, diagonal, true);
+    const Reading reading = reading_of(data);
+    std::string text = columns_to_text(reading);
+    text += to_text(fmt::format("{} points to the surface", distances.summary.count).c_str(),
+                    distances.summary, document.map, diagonal, true);
     if (both)
       text += to_text(fmt::format("surface to the mesh, from {} samples", back.count).c_str(), back,
                       document.map, diagonal, false);
     if (arguments.tolerance)
       text += fmt::format("within {:.6g}: {:.6g} % of the points\n", tolerance, 100 * within);
-    for (const std::string& note : data.notes) text += "note: " + note + "\n";
-    for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
+    text += notes_to_text(reading);
+    text += wrote(files);
     print(text);
   }
   return within < 1 ? kNotReached : kReached;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "applicable_options.h"
 #include "commands.h"
 #include "exit_status.h"
 #include "knotfit/errors.h"
@@ -99,6 +100,12 @@ std::vector<OutputFile> table_outputs(const EvalArguments& arguments) {
 int run_eval(const EvalArguments& arguments) {
   set_thread_count(arguments.threads);
   const std::vector<OutputFile> files = table_outputs(arguments);
+  refuse_idle_surface_options(arguments.surface, arguments.source);
+  if (arguments.points.empty()) {
+    const std::string what = "places without a file: it says how --points is read";
+    refuse_data_options(arguments.input.given, what);
+    refuse_given(arguments.input.given, {"--input-format"}, what);
+  }
   const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
   const Places places = find_places(arguments, document);
   const std::vector<double> uv = parameters_of(places, document.map, arguments.clamp);
@@ -126,7 +133,7 @@ int run_eval(const EvalArguments& arguments) {
   std::string text = files.empty() ? to_csv(table) : std::string();
   if (compares)
     text += differences_text(places, differences.summary, document.map, files.empty() ? "# " : "");
-  for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
+  text += wrote(files);
   print(text);
   return kReached;
 }

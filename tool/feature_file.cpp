@@ -54,7 +54,7 @@ FeatureMap read_curve_feature_file(const std::string& path, const CurvePoints& c
   ReadOptions read;
   read.columns = {"x", "y"};
   read.places = true;
-  const SourceData data = read_data(path, read);
+  const SourceData data = read_source(path, read);
   const PointTable* table = std::get_if<PointTable>(&data.content);
   if (table == nullptr || table->x.empty())
     throw FileError(path, curve.function ? "a feature measure of a function is two columns: x and the measure"

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 
+#include "applicable_options.h"
 #include "cad_output.h"
 #include "commands.h"
 #include "exit_status.h"
@@ -11,6 +14,7 @@
 #include "knotfit/errors.h"
 #include "knotfit/fit_sheared.h"
 #include "knotfit/fit_surface.h"
+#include "knotfit/grid_support.h"
 #include "knotfit/io.h"
 #include "knotfit/threads.h"
 #include "mesh_outputs.h"
@@ -18,6 +22,7 @@
 #include "outputs.h"
 #include "sampling.h"
 #include "signals.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 #include "terminal_progress.h"
 #include "text_values.h"
@@ -134,9 +139,13 @@ Raster output_grid(const FitInput& input, const FitChoices& c) {
   return grid;
 }
 
-Raster fitted_heights(Raster grid, const FitResult& result, const FitInput& input, const FitChoices& c) {
+/// \param support  of scattered points: 0 where they leave a node without data; empty: all nodes have heights
+Raster fitted_heights(Raster grid, const FitResult& result, const FitInput& input, const FitChoices& c,
+                      const std::vector<char>& support) {
   fill_heights(grid, result.surface, result.map);
   if (input.raster && !*c.fill_holes) keep_holes(grid, *input.raster);
+  for (std::size_t k = 0; k < support.size(); ++k)
+    if (support[k] == 0) grid.z[k] = std::numeric_limits<double>::quiet_NaN();
   return grid;
 }
 
@@ -146,9 +155,10 @@ std::vector<double> residuals_of_every_point(const FitResult& result, const FitI
   return recheck_errors(result.surface, input.all_points);
 }
 
-// Corrected parameters, the distance, the same signed by the normal, and the error at the parameters.
+// Corrected parameters, the distance, the same signed by the normal, the error at the parameters, and where on the surface
+// the distance is.
 Table corrected_residuals(const MeshFit& fit) {
-  std::vector<double> columns[8];
+  std::vector<double> columns[10];
   const std::vector<double> at_parameters = recheck_errors(fit.result.surface, fit.points);
   for (Index k = 0; k < fit.points.size(); ++k) {
     for (int c = 0; c < 3; ++c) columns[c].push_back(fit.points.value(k)[c]);
@@ -157,17 +167,20 @@ Table corrected_residuals(const MeshFit& fit) {
     columns[5].push_back(fit.result.errors[k]);
     columns[6].push_back(fit.signed_distances[k]);
     columns[7].push_back(at_parameters[k]);
+    for (int c = 0; c < 2; ++c) columns[8 + c].push_back(fit.foot_uv[2 * k + c]);
   }
   Table table;
-  const char* names[] = {"x", "y", "z", "u", "v", "error", "distance", "error_at_parameters"};
-  for (int c = 0; c < 8; ++c) table.add(names[c], std::move(columns[c]));
+  const char* names[] = {"x",      "y",     "z", "u", "v", "error", "distance", "error_at_parameters",
+                         "foot_u", "foot_v"};
+  for (int c = 0; c < 10; ++c) table.add(names[c], std::move(columns[c]));
   return table;
 }
 
 class FitWriter {
  public:
-  FitWriter(const FitReport& report, const Raster& grid, bool force, bool reflections)
-      : report_(report), grid_(grid), force_(force), reflections_(reflections) {}
+  FitWriter(const FitReport& report, const Raster& grid, const std::vector<char>& support, bool force,
+            bool reflections)
+      : report_(report), grid_(grid), support_(support), force_(force), reflections_(reflections) {}
 
   void write(const OutputFile& file) const {
     const FitResult& result = report_.result;
@@ -188,7 +201,8 @@ class FitWriter {
                           [&](std::ostream& out) { write_residuals(out, input.every_point(), errors); });
       }
       case OutputKind::raster:
-        return write_raster_file(file.path, force_, fitted_heights(grid_, result, input, report_.choices));
+        return write_raster_file(file.path, force_,
+                                 fitted_heights(grid_, result, input, report_.choices, support_));
       case OutputKind::mesh:
         return write_surface_mesh(file, force_, result.surface, result.map, result.height_field,
                                   *report_.choices.samples, &input.points, result.errors);
@@ -207,6 +221,10 @@ class FitWriter {
     p.surface = &result.surface;
     p.points = &report_.input.points;
     if (report_.corrected != nullptr) {
+      // Errors are distances: drawn where on the surface they are.
+      feet_ = report_.input.points;
+      feet_.uv = report_.corrected->foot_uv;
+      p.points = &feet_;
       for (const double d : report_.corrected->signed_distances) p.signed_errors.push_back(-d);  // S - P
       p.fold_places = report_.corrected->correction.folds.places;
     } else {
@@ -216,13 +234,27 @@ class FitWriter {
     p.title = std::filesystem::path(report_.input.summary.path).filename().string() + ", " + verdict(report_);
     p.subtitle = "knotfit fit " + options_to_text(report_.choices);
     p.thin_places = result.between.thin_places;
+    if (const auto& mapped = report_.input.mesh; mapped && !parameters_of(*mapped).empty()) {
+      const std::vector<double>& uv =
+          report_.corrected != nullptr && !report_.corrected->correction.uv.empty()
+              ? report_.corrected->correction.uv
+              : parameters_of(*mapped);
+      for (const Opening& o : mapped->openings)
+        for (const std::int32_t f : o.faces) {
+          const auto& t = mapped->mesh.faces[f];
+          p.openings.push_back({uv[2 * t[0]], uv[2 * t[0] + 1], uv[2 * t[1]], uv[2 * t[1] + 1], uv[2 * t[2]],
+                                uv[2 * t[2] + 1]});
+        }
+    }
     p.reflections = reflections_;
     return p;
   }
 
   const FitReport& report_;
   const Raster& grid_;
+  const std::vector<char>& support_;
   bool force_, reflections_;
+  mutable ParameterizedPoints feet_;  ///< what a picture draws
 };
 
 int exit_status(const FitResult& result) {
@@ -241,6 +273,16 @@ int exit_status(const FitResult& result) {
   }
 }
 
+// Those that act on outputs of their kind alone. The others are stored in the surface's JSON and in --json, to be
+// repeated where such an output is asked for.
+std::vector<std::string> options_of_outputs(const FitArguments& arguments,
+                                            const std::vector<OutputFile>& files) {
+  std::vector<std::string> given = arguments.choices.input.given;
+  if (arguments.json || asks_for(files, OutputKind::surface))
+    std::erase_if(given, [](const std::string& option) { return option != "--reflections"; });
+  return given;
+}
+
 void complain(const std::string& message) {
   std::fprintf(stderr, "knotfit: %s\n", message.c_str());
 }
@@ -252,6 +294,7 @@ int run_fit(const FitArguments& arguments) {
   bool default_tolerance = false;
   const FitChoices choices = complete(arguments, default_tolerance);
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
+  refuse_idle_output_options(options_of_outputs(arguments, files), files);
   StopOnSignal stop;
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
@@ -305,9 +348,18 @@ int run_fit(const FitArguments& arguments) {
     }
     if (input.all_points.size() > 0) judge_all_points(result, residuals_of_every_point(result, input));
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.input + ": " + e.what());
+    throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
   terminal.report({.stage = "write"});
+  std::vector<char> support;
+  if (grid.rows > 0 && !input.raster && !*choices.fill_holes && !result.surface.empty()) {
+    support = grid_support(input.points, grid);
+    if (const auto without = std::count(support.begin(), support.end(), 0); without > 0)
+      result.notes.push_back(fmt::format(
+          "{} of the {} heights written lie beyond the data or in an opening of it: nodata; --fill-holes "
+          "writes the surface there",
+          without, support.size()));
+  }
 
   FitReport report{.result = result,
                    .input = input,
@@ -320,7 +372,7 @@ int run_fit(const FitArguments& arguments) {
     terminal.clear();
     complain(result.message.empty() ? "no surface was found" : result.message);
   } else {
-    const FitWriter writer(report, grid, arguments.output.force, arguments.reflections);
+    const FitWriter writer(report, grid, support, arguments.output.force, arguments.reflections);
     const int written = write_each(
         files, [&](const OutputFile& file) { writer.write(file); }, report.outputs);
     if (written != kReached) status = written;
@@ -331,7 +383,7 @@ int run_fit(const FitArguments& arguments) {
   if (arguments.json)
     print(report_to_json(report) + "\n");
   else if (!arguments.quiet)
-    print(report_to_text(report));
+    print_summary(report_to_text(report), files);
   return status;
 }
 

@@ -2,16 +2,19 @@
 #include <cstdio>
 #include <tuple>
 
+#include "applicable_options.h"
 #include "commands.h"
 #include "curve_report.h"
 #include "exit_status.h"
 #include "feature_file.h"
+#include "input.h"
 #include "knotfit/compare.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
 #include "knotfit/parameterize_curve.h"
 #include "knotfit/threads.h"
 #include "signals.h"
+#include "standard_streams.h"
 #include "terminal_progress.h"
 namespace knotfit::tool {
 namespace {
@@ -46,20 +49,18 @@ CurveFitOptions curve_options(const CurveArguments& arguments) {
   return options;
 }
 
-CurvePoints read_points(const CurveArguments& arguments) {
+CurvePoints read_points(const CurveArguments& arguments, Reading& reading) {
   const FitChoices& c = arguments.choices;
-  ReadOptions read;
-  read.format = c.input.format.value_or("");
-  read.columns = c.input.columns.value_or(std::vector<std::string>{});
-  read.nodata = c.input.nodata;
-  read.classes = c.input.classes.value_or(std::vector<int>{});
-  read.returns = c.input.returns.value_or(std::vector<int>{});
-  read.places = true;  // x, y alone
-  const SourceData data = read_data(arguments.input, read);
+  ReadOptions read = read_options(c.input);
+  read.places = read.curve = true;  // x, y alone
+  read.block = arguments.block;
+  const SourceData data = read_source(arguments.input, read);
+  refuse_idle_reading(data, arguments.input, c.input);
+  reading = reading_of(data);
   try {
     return curve_points_of(data, c.spacing.value_or(RowSpacing::chord), arguments.closed, arguments.function);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.input + ": " + e.what());
+    throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
 }
 
@@ -105,6 +106,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   for (const OutputFile& file : files) check_curve_output(file);
+  refuse_idle_output_options(arguments.choices.input.given, files);
   if (!arguments.compare.empty() && !files.empty())
     throw InvalidInput("--compare prints a table; outputs (-o) are of one curve");
   StopOnSignal stop;
@@ -113,7 +115,8 @@ int run_fit_curve(const CurveArguments& arguments) {
   terminal.report({.stage = "read"});
   Control control = terminal.control(stop.token());
   control.time_limit = arguments.choices.time_limit.value_or(0);
-  const CurvePoints points = read_points(arguments);
+  Reading reading;
+  const CurvePoints points = read_points(arguments, reading);
   CurveFitOptions options = curve_options(arguments);
   if (arguments.choices.feature_file)
     options.user_features = read_curve_feature_file(*arguments.choices.feature_file, points);
@@ -123,7 +126,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   try {
     result = fit_curve(points, options, control);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.input + ": " + e.what());
+    throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
   terminal.clear();
   int status = result.status == Status::stopped      ? kStopped
@@ -131,7 +134,7 @@ int run_fit_curve(const CurveArguments& arguments) {
                : result.status == Status::time_limit ? kNotReached
                : options.tolerance && !result.reached ? kNotReached
                                                       : kReached;
-  CurveReport report{.result = result, .points = points, .arguments = arguments};
+  CurveReport report{.result = result, .points = points, .arguments = arguments, .reading = reading};
   if (result.curve.control_points().empty()) {
     std::fprintf(stderr, "knotfit: %s\n", result.message.c_str());
     return status;
@@ -143,7 +146,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   if (arguments.json)
     print(curve_to_json(report) + "\n");
   else if (!arguments.quiet)
-    print(curve_to_text(report));
+    print_summary(curve_to_text(report), files);
   return status;
 }
 

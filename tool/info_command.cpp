@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "applicable_options.h"
 #include "commands.h"
 #include "exit_status.h"
 #include "input.h"
@@ -13,6 +14,7 @@
 #include "knotfit/io.h"
 #include "knotfit/mesh_parameters.h"
 #include "outputs.h"
+#include "standard_streams.h"
 #include "surface_file.h"
 #include "text_values.h"
 #include "welding.h"
@@ -129,13 +131,13 @@ DataFacts facts_of(const SourceData& data) {
           return static_cast<Index>(content.z.size());
       },
       data.content);
-  facts.points -= facts.holes;
+  facts.points -= facts.holes - data.left_out;  // points left out are in no table
   return facts;
 }
 
 std::string data_info(const InfoArguments& arguments) {
   Index welded = 0;
-  const SourceData data = read_input(arguments.file, arguments.input, &welded);
+  const SourceData data = read_input(arguments.file, arguments.input, false, &welded);
   const DataFacts facts = facts_of(data);
   const Raster* raster = std::get_if<Raster>(&data.content);
   if (arguments.json) {
@@ -151,6 +153,10 @@ std::string data_info(const InfoArguments& arguments) {
       j["disk"] = facts.problem.empty();
       j["problem"] = facts.problem.empty() ? Json(nullptr) : Json(facts.problem);
     }
+    if (!data.columns.empty()) {
+      j["columns"] = data.columns;
+      j["columns_from"] = data.columns_from;
+    }
     j["notes"] = data.notes;
     j["read_as"] = facts.read_as;
     return j.dump() + "\n";
@@ -165,6 +171,7 @@ std::string data_info(const InfoArguments& arguments) {
   if (raster) text += fmt::format("cell: {} x {}\n", raster->dx, raster->dy);
   for (const Range& r : facts.ranges)
     if (!r.empty()) text += fmt::format("{}: {} to {}\n", r.name, r.least, r.most);
+  text += columns_to_text(reading_of(data));
   for (const std::string& note : data.notes) text += note + "\n";
   if (facts.content == "mesh")
     text += "disk: " + (facts.problem.empty() ? "yes" : "no: " + facts.problem) + "\n";
@@ -296,11 +303,11 @@ std::string surfaces_info(const InfoArguments& arguments) {
   const auto usable =
       std::count_if(faces.begin(), faces.end(), [](const FileFace& f) { return f.document.has_value(); });
   if (!one)
-    text = fmt::format("{}: {} face{}, {} usable\n", arguments.file, faces.size(),
+    text = fmt::format("{}: {} face{}, {} usable\n", input_name(arguments.file), faces.size(),
                        faces.size() == 1 ? "" : "s", usable);
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    text +=
-        one ? surface_text(*faces[k].document, arguments.file) : face_text(faces[k], arguments.file, k + 1);
+    text += one ? surface_text(*faces[k].document, input_name(arguments.file))
+                : face_text(faces[k], arguments.file, k + 1);
     if (faces[k].document && faces[k].trimmed) text += std::string(kTrimmed) + "\n";
   }
   if (cad)
@@ -311,7 +318,15 @@ std::string surfaces_info(const InfoArguments& arguments) {
 }  // namespace
 
 int run_info(const InfoArguments& arguments) {
-  print(holds_surfaces(arguments.file) ? surfaces_info(arguments) : data_info(arguments));
+  const bool surfaces = holds_surfaces(arguments.file, arguments.input);
+  if (surfaces) {
+    refuse_data_options(arguments.input.given, "a surface: it says how data is read");
+    refuse_idle_surface_options(arguments.file, arguments.source);
+  } else {
+    refuse_given(arguments.input.given, {"--unit", "--face"},
+                 "data: it is for surfaces of STEP and IGES files");
+  }
+  print(surfaces ? surfaces_info(arguments) : data_info(arguments));
   return kReached;
 }
 

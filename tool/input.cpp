@@ -2,9 +2,14 @@
 
 #include <cmath>
 
+#include "applicable_options.h"
 #include "cloud_input.h"
+#include "data/strays.h"
+#include "formats/readers.h"
 #include "knotfit/errors.h"
 #include "knotfit/parameterize.h"
+#include "parameterize/table_checks.h"
+#include "standard_streams.h"
 #include "welding.h"
 namespace knotfit::tool {
 namespace {
@@ -79,23 +84,53 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
   return of_mesh;
 }
 
+/// Options that say nothing of the file are refused, vertices of a mesh at the same place made one.
+SourceData read_checked(const std::string& path, const ReadOptions& read, const InputOptions& options,
+                        Index* welded) {
+  SourceData data = read_source(path, read);
+  refuse_idle_reading(data, path, options);
+  const Index count = weld_input(data, options);
+  if (welded != nullptr) *welded = count;
+  return data;
+}
+
+/// A slip far off makes the range that a tolerance in % is of.
+void note_strays(FitInput& input) {
+  const ParameterizedPoints& points = input.points;
+  std::vector<Index> strays = far_strays(points.values, points.dimension);
+  if (strays.empty()) return;
+  input.summary.reading.notes.push_back(parameterize::point_names(points.source, strays) +
+                                        (strays.size() == 1 ? " stands" : " stand") +
+                                        " more than 1000 times as far away as the farthest of the others: a "
+                                        "stray; it makes the range that a tolerance "
+                                        "in % is of, so leave it out");
+}
+
 }  // namespace
 
-SourceData read_input(const std::string& path, const InputOptions& options, Index* welded) {
+SourceData read_source(const std::string& path, const ReadOptions& options) {
+  return is_dash(path) ? read_bytes(standard_input(), options) : read_data(path, options);
+}
+
+ReadOptions read_options(const InputOptions& options) {
   ReadOptions read;
   read.format = options.format.value_or("");
   read.columns = options.columns.value_or(std::vector<std::string>{});
   read.nodata = options.nodata;
   read.classes = options.classes.value_or(std::vector<int>{});
   read.returns = options.returns.value_or(std::vector<int>{});
-  SourceData data = read_data(path, read);
-  const Index count = weld_input(data, options);
-  if (welded != nullptr) *welded = count;
-  return data;
+  read.skip_lines = options.skip_lines.value_or(0);
+  return read;
+}
+
+SourceData read_input(const std::string& path, const InputOptions& options, bool places, Index* welded) {
+  ReadOptions read = read_options(options);
+  read.places = places;
+  return read_checked(path, read, options, welded);
 }
 
 Index count_holes(const SourceData& data) {
-  Index holes = 0;
+  Index holes = data.left_out;
   if (const Raster* raster = std::get_if<Raster>(&data.content)) {
     for (const double z : raster->z) holes += std::isnan(z);
   } else if (const PointRows* rows = std::get_if<PointRows>(&data.content)) {
@@ -131,20 +166,23 @@ PointTable table_of(const Raster& raster) {
 
 FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control) {
   FitInput input;
-  SourceData data = read_input(path, choices.input, &input.summary.welded);
+  ReadOptions read = read_options(choices.input);
+  read.any_parameters = choices.rescale_parameters.value_or(false);
+  SourceData data = read_checked(path, read, choices.input, &input.summary.welded);
+  input.summary.reading = reading_of(data);
   input.summary.path = path;
   input.summary.format = data.format;
   input.summary.holes = count_holes(data);
-  input.summary.notes = data.notes;
   try {
+    refuse_idle_options(data, choices);
     const Mesh* mesh = std::get_if<Mesh>(&data.content);
     input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
                                    : parameterize(data, choices, control, input.mesh);
     if (input.mesh && !input.mesh->left_aside.empty())
-      input.summary.notes.push_back(
-          "the mesh's parameters (texture coordinates) are left aside and the mesh is mapped, "
-          "since " +
+      input.summary.reading.notes.push_back(
+          "the mesh's parameters (texture coordinates) are left aside and the mesh is mapped, since " +
           input.mesh->left_aside);
+    if (std::get_if<Raster>(&data.content) == nullptr) note_strays(input);
     // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
     double tolerance = 0;
     if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {
@@ -157,7 +195,7 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
     input.summary.duplicates = settle_duplicates(input.points, rule, tolerance);
     if (input.summary.duplicates > 0) input.all_points = std::move(before);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(path + ": " + e.what());
+    throw InvalidInput(input_name(path) + ": " + e.what());
   }
   input.summary.points = input.points.size();
   if (Raster* raster = std::get_if<Raster>(&data.content)) input.raster = std::move(*raster);

@@ -8,16 +8,17 @@
 #include "knotfit/source_data.h"
 #include "mesh_input.h"
 #include "options.h"
+#include "reading.h"
 namespace knotfit::tool {
 
 /// What a report says of the input.
 struct InputSummary {
   std::string path, format;
-  Index points = 0;                ///< fitted
-  Index holes = 0;                 ///< cells or points without data
-  Index duplicates = 0;            ///< points dropped since others have their parameters
-  Index welded = 0;                ///< vertices of a mesh that went into others at their place
-  std::vector<std::string> notes;  ///< what the reader says of the file
+  Index points = 0;      ///< fitted
+  Index holes = 0;       ///< cells or points without data
+  Reading reading;       ///< what was done with the file
+  Index duplicates = 0;  ///< points dropped since others have their parameters
+  Index welded = 0;      ///< vertices of a mesh that went into others at their place
 };
 
 struct FitInput {
@@ -30,9 +31,16 @@ struct FitInput {
   const ParameterizedPoints& every_point() const { return all_points.size() > 0 ? all_points : points; }
 };
 
-/// read_data with the tool's options, and vertices of meshes at the same place made one.
-/// \param welded  how many of them
-SourceData read_input(const std::string& path, const InputOptions& options, Index* welded = nullptr);
+/// The tool's options as the library's.
+ReadOptions read_options(const InputOptions& options);
+/// read_data with the tool's options, and of "-" standard input; vertices of meshes at the same place made one.
+/// \param places  z may be missing, as ReadOptions::places
+/// \param welded  how many vertices went into others
+SourceData read_input(const std::string& path, const InputOptions& options, bool places = false,
+                      Index* welded = nullptr);
+
+/// read_data, and of "-" standard input.
+SourceData read_source(const std::string& path, const ReadOptions& options);
 
 /// \param choices  completed: tolerance present unless a size or knots make it absent
 /// \throws FileError, InvalidInput  the message begins with the path

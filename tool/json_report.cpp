@@ -76,18 +76,24 @@ Json input_of(const FitReport& r) {
                 {"height_field", r.result.height_field},
                 {"diagonal", number(r.result.diagonal)}};
   if (r.input.mesh) input["mesh"] = Json::parse(mesh_to_json(*r.input.mesh));
-  if (r.input.mesh && r.input.mesh->cloud) input["cloud"] = Json::parse(cloud_to_json(*r.input.mesh->cloud));
+  if (r.input.mesh && r.input.mesh->cloud) input["cloud"] = Json::parse(cloud_to_json(*r.input.mesh));
   if (const auto& raster = r.input.raster)
     input["grid"] = {{"columns", raster->columns}, {"rows", raster->rows},     {"x0", number(raster->x0)},
                      {"y0", number(raster->y0)},   {"dx", number(raster->dx)}, {"dy", number(raster->dy)}};
   return input;
 }
 
-// What the reader says of the file, then what the fit says.
+// Of the reading first, then of the fit.
 std::vector<std::string> notes_of(const FitReport& r) {
-  std::vector<std::string> notes = r.input.summary.notes;
+  std::vector<std::string> notes = r.input.summary.reading.notes;
   notes.insert(notes.end(), r.result.notes.begin(), r.result.notes.end());
   return notes;
+}
+
+void add_columns(Json& j, const Reading& reading) {
+  if (reading.columns.empty()) return;
+  j["columns"] = reading.columns;
+  j["columns_from"] = reading.from;
 }
 
 // What a correction of the parameters left; null without one.
@@ -105,6 +111,7 @@ Json correction_of(const FitReport& r) {
           {"standard_deviation", number(v.deviation)},
           {"error_at_parameters",
            {{"rms", number(fit.at_parameters.rms)}, {"max", number(fit.at_parameters.max)}}},
+          {"off_foot", fit.off_foot},
           {"surface_to_mesh",
            back.count == 0
                ? Json(nullptr)
@@ -112,6 +119,7 @@ Json correction_of(const FitReport& r) {
           {"folds",
            {{"blurred", folds.blurred},
             {"raw", folds.raw},
+            {"pleats", folds.pleats},
             {"flipped_triangles", folds.flipped},
             {"least_sine", number(folds.least_sine)},
             {"normal_angle", number(folds.normal_angle)},
@@ -155,6 +163,7 @@ std::string stored_result(const FitReport& r) {
   Json j;
   add_outcome(j, r);
   j["input"] = input_of(r);
+  add_columns(j, r.input.summary.reading);
   j["notes"] = notes_of(r);
   return j.dump();
 }
@@ -173,6 +182,7 @@ std::string report_to_json(const FitReport& r) {
   j["peak_memory_bytes"] = r.peak_memory_bytes;
   j["input"] = input_of(r);
   j["options"] = Json::parse(options_to_json(r.choices));
+  add_columns(j, r.input.summary.reading);
   j["notes"] = notes_of(r);
   j["outputs"] = r.outputs;
   j["version"] = version();

@@ -17,6 +17,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The openings of the data, and the share of the square under the data.
+void add_openings(Json& j, const MappedMesh& mapped) {
+  j["holes"] = Json::array();
+  for (const Opening& o : mapped.openings)
+    j["holes"].push_back({{"place", o.place}, {"length", o.length}, {"share_of_square", o.share_of_square}});
+  const std::vector<double>& uv = parameters_of(mapped);
+  j["covered"] = uv.empty() ? Json(nullptr) : Json(covered_share(mapped.mesh, uv, mapped.openings));
+}
+
+/// "holes: 2 without data, ...", or nothing.
+std::string holes_text(const MappedMesh& mapped) {
+  if (mapped.openings.empty()) return "";
+  double share = 0;
+  for (const Opening& o : mapped.openings) share += o.share_of_square;
+  std::string text =
+      fmt::format("holes: {} without data, {:.3g} % of the square", mapped.openings.size(), 100 * share);
+  for (std::size_t k = 0; k < mapped.openings.size() && k < 5; ++k) {
+    const Opening& o = mapped.openings[k];
+    text += fmt::format("; at ({:.8g}, {:.8g}, {:.8g}) {:.4g} around", o.place[0], o.place[1], o.place[2],
+                        o.length);
+  }
+  return text + (mapped.openings.size() > 5 ? "; ...\n" : "\n");
+}
+
 /// The number a vertex of a repaired mesh has in its file.
 Index number_in_file(const Mesh& mesh, Index vertex) {
   const Index source = mesh.vertex_source.empty() ? vertex : mesh.vertex_source[vertex];
@@ -68,7 +92,14 @@ MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices) {
                                         .fill_holes = choices.fill_holes.value_or(false),
                                         .orient = choices.orient.value_or(false),
                                         .drop_degenerate = choices.drop_degenerate.value_or(false)});
-  return {.mesh = std::move(repaired.mesh), .repaired = repaired.summary, .map = std::nullopt};
+  MappedMesh mapped{.mesh = std::move(repaired.mesh), .repaired = repaired.summary, .map = std::nullopt};
+  mapped.openings = find_openings(mapped.mesh);
+  if (!mapped.mesh.uv.empty()) measure_openings(mapped.openings, mapped.mesh, mapped.mesh.uv);
+  return mapped;
+}
+
+const std::vector<double>& parameters_of(const MappedMesh& mapped) {
+  return mapped.map ? mapped.map->uv : mapped.mesh.uv;
 }
 
 MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control, bool newton) {
@@ -93,6 +124,7 @@ MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& 
   MeshMapOptions options = map_options(mapped.mesh, choices);
   options.newton = newton;
   mapped.map = parameterize_mesh(mapped.mesh, options, control);
+  measure_openings(mapped.openings, mapped.mesh, mapped.map->uv);
   return mapped;
 }
 
@@ -120,7 +152,7 @@ PointTable table_of(const Mesh& mesh) {
 }
 
 std::string mesh_to_text(const MappedMesh& mapped) {
-  if (mapped.cloud) return "base: " + describe(*mapped.cloud) + "\n";
+  if (mapped.cloud) return "base: " + describe(*mapped.cloud) + "\n" + holes_text(mapped);
   const RepairSummary& r = mapped.repaired;
   std::string text =
       fmt::format("mesh: {} vertices, {} triangles", mapped.mesh.vertex_count(), mapped.mesh.face_count());
@@ -131,7 +163,7 @@ std::string mesh_to_text(const MappedMesh& mapped) {
                                                   {r.dropped_vertices, "vertices dropped"}};
   for (const auto& [count, what] : counts)
     if (count > 0) text += fmt::format(", {} {}", count, what);
-  text += "\n";
+  text += "\n" + holes_text(mapped);
   if (!mapped.map)
     return text +
            (mapped.mesh.uv.empty() ? "" : "parameters: the file's own (texture coordinates), one-to-one\n");
@@ -157,6 +189,7 @@ std::string mesh_to_json(const MappedMesh& mapped) {
             {"dropped_vertices", r.dropped_vertices}, {"map", nullptr}};
   j["parameters"] = mapped.map ? Json("map") : mapped.mesh.uv.empty() ? Json(nullptr) : Json("file");
   j["left_aside"] = mapped.left_aside.empty() ? Json(nullptr) : Json(mapped.left_aside);
+  add_openings(j, mapped);
   if (mapped.map) {
     const MeshMap& map = *mapped.map;
     Json corners = Json::array();
@@ -177,7 +210,8 @@ std::string mesh_to_json(const MappedMesh& mapped) {
   return j.dump();
 }
 
-std::string cloud_to_json(const CloudMap& cloud) {
+std::string cloud_to_json(const MappedMesh& mapped) {
+  const CloudMap& cloud = *mapped.cloud;
   std::vector<Index> stray_rows;  // from 1, as in the description
   for (const Index r : cloud.stray_rows) stray_rows.push_back(r + 1);
   Json j = {{"base", name_of(kBases, cloud.base)},
@@ -188,8 +222,8 @@ std::string cloud_to_json(const CloudMap& cloud) {
             {"stray_rows", stray_rows},
             {"normals", cloud.normals},
             {"folded", cloud.folded},
-            {"covered", cloud.covered},
             {"mapped", cloud.mapped}};
+  add_openings(j, mapped);
   if (cloud.base == CloudBase::plane || cloud.base == CloudBase::cylinder) {
     j["centre"] = cloud.centre;
     j["axis"] = cloud.axis;

@@ -5,6 +5,7 @@
 
 #include "knotfit/control.h"
 #include "knotfit/mesh.h"
+#include "knotfit/openings.h"
 #include "knotfit/parameterize_cloud.h"
 #include "knotfit/parameterize_mesh.h"
 #include "knotfit/source_data.h"
@@ -20,6 +21,8 @@ struct MappedMesh {
       {};  ///< why the parameters of the file are not used; empty: they are, or it has none
   /// Where the input was no mesh but points: what they were laid over. Its mesh and map are those above.
   std::optional<CloudMap> cloud = {};
+  std::vector<Opening> openings =
+      {};  ///< of the data, closed by virtual faces; shares at the map's parameters
 };
 
 /// Repairs the mesh as asked.
@@ -37,6 +40,9 @@ PointTable table_of(const Mesh& mesh);
 /// What a report says of the map, as sentences and as the text of a JSON object.
 std::string mesh_to_text(const MappedMesh& mapped);
 std::string mesh_to_json(const MappedMesh& mapped);
-std::string cloud_to_json(const CloudMap& cloud);
+std::string cloud_to_json(const MappedMesh& mapped);
+
+/// The mesh's parameters where it was mapped, else its own.
+const std::vector<double>& parameters_of(const MappedMesh& mapped);
 
 }  // namespace knotfit::tool

@@ -70,11 +70,14 @@ struct WeldChoice {
 struct InputOptions {
   std::optional<std::string> format;
   std::optional<std::vector<std::string>> columns;
-  std::optional<double> nodata;
+  std::optional<double> nodata;                      ///< NaN: every word for missing data
+  std::optional<Index> skip_lines;                   ///< of a text
   std::optional<std::vector<int>> classes, returns;  ///< of LAS points, as ReadOptions
   std::optional<std::string> weld;                   ///< of meshes: text of parse_weld
   bool keep_parameters = false;                      ///< of meshes: none are given up in a weld
   bool every_vertex = false;                         ///< of meshes: there is no weld
+  std::vector<std::string>
+      given;  ///< every option on the command line, as "--base", also those of no reading
 };
 
 /// What STEP and IGES outputs are like.
@@ -176,6 +179,7 @@ struct CurveArguments {
   std::optional<std::vector<double>> knots;
   std::vector<std::string> compare;  ///< methods of a table; empty: one curve
   bool closed = false, function = false, corrected = false;
+  Index block = 0;  ///< of a text, from 1; 0: there is one
   OutputOptions output;
   int threads = 0;
   bool quiet = false, json = false;

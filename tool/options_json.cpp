@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <cmath>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -14,6 +11,7 @@
 #include "knotfit/fit_surface.h"
 #include "knotfit/knot_vector.h"
 #include "mesh_outputs.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -218,8 +216,16 @@ const std::vector<Row>& table() {
       input<std::vector<std::string>>(
           "columns", &InputOptions::columns,
           [](const std::vector<std::string>& c) { return fmt::format("--columns {}", fmt::join(c, ",")); }),
-      input<double>("nodata", &InputOptions::nodata,
-                    [](const double& v) { return fmt::format("--nodata {}", v); }),
+      {"nodata", [](const FitChoices& c) { return c.input.nodata.has_value(); },
+       [](const FitChoices& c) {
+         return std::isnan(*c.input.nodata) ? Json(nodata_text(*c.input.nodata)) : Json(*c.input.nodata);
+       },
+       [](FitChoices& c, const Json& j) {
+         c.input.nodata = j.is_string() ? parse_nodata(j.get<std::string>()) : j.get<double>();
+       },
+       [](const FitChoices& c) { return "--nodata " + nodata_text(*c.input.nodata); }},
+      input<Index>("skip_lines", &InputOptions::skip_lines,
+                   [](const Index& n) { return fmt::format("--skip-lines {}", n); }),
       input<std::vector<int>>(
           "classes", &InputOptions::classes,
           [](const std::vector<int>& c) { return fmt::format("--classes {}", fmt::join(c, ",")); }),
@@ -278,9 +284,8 @@ const std::vector<Row>& table() {
 
 // The "options" member of a file.
 Json stored_options(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path, std::strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const FileBytes file = is_dash(path) ? standard_input() : load_file(path);
+  const std::string_view text = file.view();
   const Json document = Json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (document.is_discarded()) throw FileError(path, "is not JSON: no options to repeat");
   if (!document.is_object() || !document.contains("options") || !document["options"].is_object())

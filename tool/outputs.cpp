@@ -15,6 +15,7 @@
 #include "knotfit/cad.h"
 #include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -58,6 +59,7 @@ std::string extensions() {
 }
 
 OutputFile classify(const std::string& path) {
+  if (is_dash(path)) return {path, OutputKind::surface, ".json"};
   const std::string extension = extension_of(path);
   for (const Extension& e : kExtensions)
     if (extension == e.name) {
@@ -77,6 +79,7 @@ OutputFile classify(const std::string& path) {
 
 // The same file, by whatever name.
 bool same_file(const std::string& a, const std::string& b) {
+  if (is_dash(a) || is_dash(b)) return false;  // standard input is not standard output
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
   return fs::path(a).lexically_normal() == fs::path(b).lexically_normal();
@@ -104,7 +107,8 @@ std::vector<OutputFile> plan_outputs(const OutputOptions& output, const std::str
     if (same_file(path, input)) throw InvalidInput(path + ": is the input; give another name for the output");
     files.push_back(classify(path));
   }
-  for (const OutputFile& file : files) check_writable(file.path, output.force);
+  for (const OutputFile& file : files)
+    if (!is_dash(file.path)) check_writable(file.path, output.force);
   return files;
 }
 
@@ -190,6 +194,7 @@ void write_raster_file(const std::string& path, bool force, Raster raster) {
 }
 
 void write_text_file(const std::string& path, bool force, const std::string& text) {
+  if (is_dash(path)) return print(text);
   write_file(path, force, [&](std::ostream& out) { out << text; });
 }
 
@@ -217,6 +222,28 @@ int write_each(const std::vector<OutputFile>& files, const std::function<void(co
     }
   }
   return status;
+}
+
+void print_summary(const std::string& text, const std::vector<OutputFile>& files) {
+  for (const OutputFile& file : files)
+    if (is_dash(file.path)) {
+      std::fputs(text.c_str(), stderr);
+      return;
+    }
+  print(text);
+}
+
+std::string wrote(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& path : paths)
+    if (!is_dash(path)) text += "wrote " + path + "\n";
+  return text;
+}
+
+std::string wrote(const std::vector<OutputFile>& files) {
+  std::vector<std::string> paths;
+  for (const OutputFile& file : files) paths.push_back(file.path);
+  return wrote(paths);
 }
 
 void print(const std::string& text) {

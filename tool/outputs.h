@@ -25,7 +25,8 @@ struct OutputFile {
 /// formats(), with the pictures and what the tool reads beside data.
 std::vector<FormatInfo> all_formats();
 
-/// What each path asks for, every one checked: extension, folder, permission, existing files.
+/// What each path asks for, every one checked: extension, folder, permission, existing files. "-" is the surface's
+/// JSON on standard output.
 /// \param input  never replaced, not even with force
 /// \throws InvalidInput  unknown extension (lists those there are), a path twice or equal to input
 /// \throws FileError     see check_writable
@@ -56,6 +57,13 @@ void write_picture_file(const OutputFile& file, bool force, const PictureInput& 
 /// \param written  the paths of those that were  \return kReached, or the exit status of what went wrong
 int write_each(const std::vector<OutputFile>& files, const std::function<void(const OutputFile&)>& write,
                std::vector<std::string>& written);
+
+/// A summary for people: on standard output, or on standard error where an output file is standard output.
+void print_summary(const std::string& text, const std::vector<OutputFile>& files);
+
+/// A line "wrote PATH" a file that was written.
+std::string wrote(const std::vector<std::string>& paths);
+std::string wrote(const std::vector<OutputFile>& files);
 
 /// Standard output, whole. \throws WriteError  it cannot take it
 void print(const std::string& text);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "applicable_options.h"
 #include "commands.h"
 #include "exit_status.h"
 #include "input.h"
@@ -15,6 +16,7 @@
 #include "outputs.h"
 #include "sampling.h"
 #include "signals.h"
+#include "standard_streams.h"
 #include "terminal_progress.h"
 namespace knotfit::tool {
 namespace {
@@ -63,15 +65,17 @@ std::string picture_of(const MappedMesh& mapped, const ParameterizeArguments& ar
 int run_parameterize(const ParameterizeArguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   check_outputs(files);
+  refuse_idle_output_options(arguments.choices.input.given, files);
   StopOnSignal stop;  // before the library's threads
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, 0);
   terminal.report({.stage = "read"});
   Index welded = 0;
-  const SourceData data = read_input(arguments.input, arguments.choices.input, &welded);
+  const SourceData data = read_input(arguments.input, arguments.choices.input, false, &welded);
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
   if (mesh == nullptr)
-    throw InvalidInput(arguments.input + ": holds no mesh; parameterize maps meshes (.ply .obj .off .stl)");
+    throw InvalidInput(input_name(arguments.input) +
+                       ": holds no mesh; parameterize maps meshes (.ply .obj .off .stl)");
   const Control control = terminal.control(stop.token());
   FitChoices choices = arguments.choices;
   choices.new_parameters = true;
@@ -79,7 +83,7 @@ int run_parameterize(const ParameterizeArguments& arguments) {
   try {
     mapped = map_mesh(*mesh, choices, control, arguments.newton);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(arguments.input + ": " + e.what());
+    throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
   mapped.mesh.uv = mapped.map->uv;
   for (const OutputFile& file : files) {
@@ -99,8 +103,8 @@ int run_parameterize(const ParameterizeArguments& arguments) {
     print(j.dump() + "\n");
   } else if (!arguments.quiet) {
     std::string text = mesh_to_text(mapped);
-    for (const std::string& note : data.notes) text += "note: " + note + "\n";
-    for (const OutputFile& file : files) text += "wrote " + file.path + "\n";
+    text += notes_to_text(reading_of(data));
+    text += wrote(files);
     print(text);
   }
   return mapped.map->stopped ? kStopped : kReached;

@@ -10,12 +10,13 @@
 #include "formats/number.h"
 #include "formats/text_lines.h"
 #include "knotfit/errors.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
 
 bool is_text(const std::string& path) {
-  for (const char* extension : {".csv", ".tsv", ".txt", ".xyz", ".dat"})
+  for (const char* extension : {".csv", ".tsv", ".txt", ".xyz", ".pts", ".dat"})
     if (extension_of(path) == extension) return true;
   return false;
 }
@@ -45,8 +46,9 @@ double number_at(const std::string& path, const TextLine& line, const std::vecto
 
 std::optional<Places> read_places_alone(const std::string& path, const InputOptions& options,
                                         bool height_field) {
-  if (!is_text(path) || (options.format && *options.format != "csv")) return std::nullopt;
-  const FileBytes file = load_file(path);
+  const bool text = is_dash(path) ? options.format.has_value() : is_text(path);
+  if (!text || (options.format && *options.format != "csv")) return std::nullopt;
+  const FileBytes file = is_dash(path) ? standard_input() : load_file(path);
   LineReader lines(text_of(file));
   std::vector<Role> roles;
   if (options.columns)
@@ -57,7 +59,7 @@ std::optional<Places> read_places_alone(const std::string& path, const InputOpti
   std::size_t first = 0, second = 0;
   TextLine line;
   while (lines.next(line)) {
-    if (line.text.empty() || is_comment(line.text)) continue;
+    if (line.number <= options.skip_lines.value_or(0) || line.text.empty() || is_comment(line.text)) continue;
     const bool opening = !separator;
     if (opening) separator = find_separator(line.text);
     const std::vector<std::string_view> fields = split_fields(line.text, *separator);

@@ -5,11 +5,19 @@
 
 #include <algorithm>
 
+#include "formats/json_document.h"
 #include "knotfit/cad.h"
 #include "knotfit/errors.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
+
+constexpr std::string_view kJson = "knotfit-json";
+
+bool is_cad_format(std::string_view name) {
+  return name == "step" || name == "iges";
+}
 
 KnotVector on_unit(const KnotVector& knots) {
   const double first = knots.first(), last = knots.last();
@@ -17,6 +25,12 @@ KnotVector on_unit(const KnotVector& knots) {
   std::vector<double> moved;
   for (const double t : knots.knots()) moved.push_back(t == last ? 1 : (t - first) / (last - first));
   return KnotVector(knots.degree(), std::move(moved));
+}
+
+SurfaceDocument read_json_surface(const std::string& path) {
+  if (!is_dash(path)) return read_surface(path);
+  const FileBytes bytes = standard_input();
+  return surface_from_json(bytes.view(), bytes.path());
 }
 
 // Parameters of the file's own, with those of the surface in [0,1].
@@ -39,14 +53,25 @@ bool is_cad_file(const std::string& path) {
   return extension == ".step" || extension == ".stp" || extension == ".igs" || extension == ".iges";
 }
 
-bool holds_surfaces(const std::string& path) {
-  return extension_of(path) == ".json" || is_cad_file(path);
+bool holds_surfaces(const std::string& path, const InputOptions& options) {
+  if (options.format)
+    return *options.format == kJson || (is_cad_file(path) && is_cad_format(*options.format));
+  if (!is_dash(path)) return extension_of(path) == ".json" || is_cad_file(path);
+  const FileBytes bytes = standard_input();
+  const std::size_t first = without_mark(bytes.view()).find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && without_mark(bytes.view())[first] == '{';
+}
+
+void refuse_idle_surface_options(const std::string& path, const SurfaceChoices& choices) {
+  if (choices.unit && !is_cad_file(path))
+    throw InvalidInput(input_name(path) +
+                       ": --unit does not apply to a JSON surface: it is the unit of STEP and IGES files");
 }
 
 std::vector<FileFace> read_faces(const std::string& path, const SurfaceChoices& choices) {
   std::vector<FileFace> faces;
   if (!is_cad_file(path)) {
-    faces.push_back({with_unit_domain(read_surface(path)), "B-spline surface", "", false});
+    faces.push_back({with_unit_domain(read_json_surface(path)), "B-spline surface", "", false});
     return faces;
   }
   for (CadFace& face : read_cad_faces(path, choices.unit.value_or(CadUnit::millimetre))) {
@@ -71,29 +96,30 @@ SurfaceDocument read_one_surface(const std::string& path, const SurfaceChoices& 
   if (!choices.face && usable.size() == 1) return std::move(*faces[usable[0] - 1].document);
   if (!choices.face && usable.size() == count)
     throw InvalidInput(
-        fmt::format("{}: holds {} surfaces; choose one with --face 1 to {}", path, count, count));
+        fmt::format("{}: holds {} surfaces; choose one with --face 1 to {}", input_name(path), count, count));
   if (!choices.face && usable.size() > 1)
     throw InvalidInput(fmt::format(
         "{}: holds {} faces, of which {} are usable; choose one with --face {}{} (knotfit info lists them)",
-        path, count, usable.size(),
+        input_name(path), count, usable.size(),
         fmt::join(usable.begin(), usable.begin() + std::min<Index>(8, std::ssize(usable)), ", "),
         usable.size() > 8 ? ", ..." : ""));
   if (!choices.face) {
     std::string why;
     for (std::size_t k = 0; k < count && k < 4; ++k)
       why += fmt::format("{}face {} is a {}: {}", k == 0 ? "" : "; ", k + 1, faces[k].kind, faces[k].why);
-    throw InvalidInput(fmt::format("{}: holds {} face{}, and no surface that is usable: {}{}", path, count,
-                                   count == 1 ? "" : "s", why, count > 4 ? "; ..." : ""));
+    throw InvalidInput(fmt::format("{}: holds {} face{}, and no surface that is usable: {}{}",
+                                   input_name(path), count, count == 1 ? "" : "s", why,
+                                   count > 4 ? "; ..." : ""));
   }
   const auto face = static_cast<std::size_t>(*choices.face);
   if (face > count)
-    throw InvalidInput(fmt::format("{}: --face {}: there {} {} surface{}", path, face,
+    throw InvalidInput(fmt::format("{}: --face {}: there {} {} surface{}", input_name(path), face,
                                    count == 1 ? "is" : "are", count, count == 1 ? "" : "s"));
   if (!faces[face - 1].document) {
     std::string others;
     if (!usable.empty()) others = fmt::format("; --face {} is usable", usable[0]);
-    throw InvalidInput(fmt::format("{}: --face {}: the face is a {}: {}{}", path, face, faces[face - 1].kind,
-                                   faces[face - 1].why, others));
+    throw InvalidInput(fmt::format("{}: --face {}: the face is a {}: {}{}", input_name(path), face,
+                                   faces[face - 1].kind, faces[face - 1].why, others));
   }
   return std::move(*faces[face - 1].document);
 }

@@ -8,8 +8,8 @@
 #include "options.h"
 namespace knotfit::tool {
 
-/// By its extension, the file holds surfaces and not data.
-bool holds_surfaces(const std::string& path);
+/// The file holds surfaces and not data: by --input-format, else by its extension; standard input by its first letter.
+bool holds_surfaces(const std::string& path, const InputOptions& options);
 bool is_cad_file(const std::string& path);
 
 /// A face of the file: its surface, or why that is not usable.
@@ -19,8 +19,12 @@ struct FileFace {
   bool trimmed = false;
 };
 
-/// Every face of a CAD file, in its order; the surface of a JSON file. Where it does not say how its parameters are
-/// meant, the knots are brought to [0,1] and the map tells their own range.
+/// --unit is given for a surface that has none: that of a JSON file.
+/// \throws InvalidInput  names the option
+void refuse_idle_surface_options(const std::string& path, const SurfaceChoices& choices);
+
+/// Every face of a CAD file, in its order; the surface of a JSON file, or of "-" that of standard input. Where it does
+/// not say how its parameters are meant, the knots are brought to [0,1] and the map tells their own range.
 std::vector<FileFace> read_faces(const std::string& path, const SurfaceChoices& choices);
 
 /// The one that --face names, or the only one that is usable.

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place_text.h"
 #include "fit_report.h"
+#include "outputs.h"
+#include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
@@ -36,11 +39,12 @@ std::string memory_text(long long bytes) {
 
 std::string input_line(const FitReport& r) {
   const InputSummary& s = r.input.summary;
-  std::string line = fmt::format("{}: {} points", s.path, s.points);
+  std::string line = fmt::format("{}: {} points", input_name(s.path), s.points);
   if (s.holes > 0) line += fmt::format(", {} holes", s.holes);
   if (s.duplicates > 0) line += fmt::format(", {} dropped (equal parameters)", s.duplicates);
   line += r.result.height_field ? ", height field, range of heights" : ", diagonal";
   line += fmt::format(" {:.6g}\n", r.result.diagonal);
+  line += columns_to_text(s.reading);
   return r.input.mesh ? line + mesh_to_text(*r.input.mesh) : line;
 }
 
@@ -52,8 +56,9 @@ std::string worst_place(const FitReport& r) {
   const bool from_text = !points.source.empty() && !r.input.raster;
   const Index line = points.source.empty() ? e.worst + 1 : points.source[e.worst];
   const auto [a, b] = map.from_uv(e.worst_u, e.worst_v);
-  return fmt::format("at {} {}, {} = {:.6g}, {} = {:.6g}", from_text ? "line" : "point", line, map.name_u, a,
-                     map.name_v, b);
+  const auto shown = [&](double x) { return map.identity() ? fmt::format("{:.6g}", x) : place_text(x); };
+  return fmt::format("at {} {}, {} = {}, {} = {}", from_text ? "line" : "point", line, map.name_u, shown(a),
+                     map.name_v, shown(b));
 }
 
 std::string tolerance_line(const FitReport& r) {
@@ -93,9 +98,11 @@ std::string correction_lines(const FitReport& r) {
                         error_text(fit.to_mesh.rms, diagonal));
   return text +
          fmt::format(
-             "folds: {:.2g} % of the square ({:.2g} % against single triangles), {} triangles turned over\n"
+             "folds: {:.2g} % of the square{}, {} triangles turned over\n"
              "       normals {:.3g} degrees from the blurred mesh's, rms\n",
-             100 * folds.blurred, 100 * folds.raw, folds.flipped, folds.normal_angle);
+             100 * folds.blurred,
+             folds.pleats > 0 ? fmt::format(", narrower than a span {:.2g} %", 100 * folds.pleats) : "",
+             folds.flipped, folds.normal_angle);
 }
 
 std::string between_line(const BetweenReport& b, double diagonal) {
@@ -129,16 +136,21 @@ double share_within(const FitResult& result) {
 }
 
 std::string verdict(const FitReport& r) {
-  if (!r.choices.tolerance) return "a fixed size";
+  if (!r.choices.tolerance)
+    return r.result.swings.swings ? "a fixed size that swings between the points" : "a fixed size";
   return fmt::format("{} {}: {}", to_text(*r.choices.tolerance), measure_text(r.choices),
-                     r.result.reached ? "reached" : "not reached");
+                     r.result.reached                    ? "reached"
+                     : r.result.status == Status::swings ? "the surface swings between the points"
+                                                         : "not reached");
 }
 
 std::string report_to_text(const FitReport& r) {
   const FitResult& result = r.result;
   const Surface& s = result.surface;
   const double diagonal = result.diagonal;
-  std::string text = input_line(r);
+  // What makes a surface useless stands before all figures.
+  std::string text = result.swings.swings ? result.notes.front() + "\n" : "";
+  text += input_line(r);
   if (!s.empty()) {
     text += fmt::format("surface: {} x {} = {} control points, degree {} x {}, knots by {}\n", s.size_u(),
                         s.size_v(), s.control_point_count(), s.degree_u(), s.degree_v(), result.method);
@@ -156,9 +168,9 @@ std::string report_to_text(const FitReport& r) {
   text += fmt::format("{} fits, {:.2f} s, {}", result.fits, r.seconds, memory_text(r.peak_memory_bytes));
   if (result.condition > 0) text += fmt::format(", condition {:.2g}", result.condition);
   text += "\n";
-  for (const std::string& note : r.input.summary.notes) text += "note: " + note + "\n";
+  text += notes_to_text(r.input.summary.reading);
   for (const std::string& note : result.notes) text += "note: " + note + "\n";
-  for (const std::string& path : r.outputs) text += "wrote " + path + "\n";
+  text += wrote(r.outputs);
   return text;
 }
 

@@ -6,8 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 
+#include "formats/columns.h"
+#include "formats/missing.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
 namespace knotfit::tool {
@@ -231,14 +234,29 @@ BaseChoice parse_base(std::string_view text) {
 std::vector<std::string> parse_columns(std::string_view text) {
   std::vector<std::string> columns;
   for (const std::string_view part : split(text, ',')) {
-    if (part != "x" && part != "y" && part != "z" && part != "u" && part != "v" && part != "w" && part != "-")
-      refuse(part, "a column: give x, y, z, u, v, w or - (skip) for each, such as x,y,z,u,v");
-    if (part != "-")
+    const Role role = role_of(part);
+    if (role == Role::skip && part != "-" && attribute_of(part).empty())
+      refuse(part,
+             "a column: give x, y, z, u, v, w, nx, ny, nz, or what is left out: r, g, b, intensity, time or "
+             "- for "
+             "each, such as x,y,z,u,v");
+    if (role != Role::skip)
       for (const std::string& other : columns)
-        if (other == part) throw InvalidInput(fmt::format("column '{}' is given twice", part));
+        if (role_of(other) == role) throw InvalidInput(fmt::format("column '{}' is given twice", part));
     columns.emplace_back(part);
   }
   return columns;
+}
+
+double parse_nodata(std::string_view text) {
+  if (is_missing_word(text) || trim(text) == "empty") return std::numeric_limits<double>::quiet_NaN();
+  const std::optional<double> value = finite(text);
+  if (!value) refuse(text, "a number, or a word for missing data: nan, NA, null, empty");
+  return *value;
+}
+
+std::string nodata_text(double nodata) {
+  return std::isnan(nodata) ? "nan" : fmt::format("{}", nodata);
 }
 
 std::vector<int> parse_classes(std::string_view text) {

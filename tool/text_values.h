@@ -70,13 +70,17 @@ std::pair<double, double> parse_cell(std::string_view text);
 std::vector<double> parse_knots(std::string_view text);
 /// "auto", "sharpest", "search"; "i,j,k,l"; "x,y,z;x,y,z;x,y,z;x,y,z".
 CornerChoice parse_corners(std::string_view text);
-/// "x,y,z,-,u,v".
 /// "auto", "off", or a tolerance of 0 or more as parse_tolerance.
 WeldChoice parse_weld(std::string_view text);
 /// The words of kBases, a surface's file, or those of four curves.
 BaseChoice parse_base(std::string_view text);
 
+/// "x,y,z,-,u,v": the names that a header may have, - for a column to leave out.
 std::vector<std::string> parse_columns(std::string_view text);
+
+/// A number, or NaN for a word that stands for missing data: nan, NA, null, empty.
+double parse_nodata(std::string_view text);
+std::string nodata_text(double nodata);
 
 /// Numbers of classes, 0 to 255.
 std::vector<int> parse_classes(std::string_view text);

@@ -47,9 +47,6 @@ WeldSummary weld_with_parameters(Mesh& mesh, double tolerance, bool keep_paramet
 
 Index weld_input(SourceData& data, const InputOptions& options) {
   Mesh* mesh = std::get_if<Mesh>(&data.content);
-  if (mesh == nullptr && options.weld.value_or("auto") != "auto")
-    throw InvalidInput(
-        fmt::format("{}: --weld {} is for meshes, and this is none", data.path, *options.weld));
   if (mesh == nullptr || options.every_vertex) return 0;
   const WeldChoice choice = parse_weld(options.weld.value_or("auto"));
   if (choice.off) return 0;

@@ -16,7 +16,7 @@ struct DistanceSummary {
   double deviation = 0;               ///< standard deviation of the signed distances about their mean
   double signed_mean = 0;             ///< + where the data lies on the side of the normal
   double p95 = 0, p99 = 0, p995 = 0;  ///< least e with at least that share <= e
-  Index worst = -1;                   ///< of the points, or of the surface's samples
+  Index worst = -1;  ///< of the points, or of the surface's samples, of which `max` may be beside one
   double worst_u = 0, worst_v = 0;    ///< where on the surface
   double worst_point[3] = {0, 0, 0};  ///< the point, or the surface's
 };
@@ -40,7 +40,8 @@ PointDistances point_distances(const Surface& surface, std::span<const double> p
 double share_within(const PointDistances& distances, double e);
 
 /// From a surface to a mesh: from samples at the centres of equal parts of every span, about `samples` in each
-/// direction, to the nearest triangle. With the mesh's parameters only samples over its own triangles count:
+/// direction, to the nearest triangle. The largest distance, `max` and where it is, is looked for between them too, and along
+/// the sides and at the corners: where the samples leave room for 1 % more, finer ones are taken. With the mesh's parameters only samples over its own triangles count:
 /// where the mesh has holes the surface is free.
 /// \param uv  n x 2, parameters of the vertices, or empty
 /// \throws InvalidInput  an empty or flat surface, a mesh without faces, samples < 1

@@ -9,14 +9,19 @@ struct MeshFit {
   CorrectionResult correction;
   ParameterizedPoints points;  ///< the data, at the corrected parameters; result.errors are in its order
   std::vector<double> signed_distances;  ///< of the points, by the surface's normal
-  ErrorSummary at_parameters;            ///< |S - P| at the corrected parameters
+  std::vector<double> foot_uv;  ///< n x 2, of the closest points of the surface: where the errors are
+  ErrorSummary at_parameters;   ///< |S - P| at the corrected parameters
+  /// Points that would turn triangles over at their foot points: their error at the parameters is beyond the tolerance (the
+  /// largest distance where there is none) and twice their distance; and the largest such error.
+  Index off_foot = 0;
+  double off_foot_error = 0;
   DistanceSummary to_mesh;  ///< of the surface to the mesh: waves and flaps away from the vertices
 };
 
 /// Corrects the parameters together with the control points, and judges by the distance: tolerance, status and
-/// errors of the result are those of the corrected surface. Folds that are left, and a surface that strays from the
-/// mesh, are among the notes; one that holds the tolerance and folds over more than 0.1 % of the square (against
-/// single triangles 0.5 %) has the status folded.
+/// errors of the result are those of the corrected surface. A surface that strays from the mesh by more than twice the
+/// tolerance is the first of the notes; folds that are left are among them. One that holds the tolerance and folds over more
+/// than 0.1 % of the square, or in pleats narrower than a span over 0.5 % (folds_over), has the status folded.
 ///   A fixed size: corrected on uniform knots; method error-model: then on knots of that model on the corrected
 /// surface; optimal: then with the knots optimised on the distances between the rounds; each kept where the error
 /// falls. Knots given, or of another method: fit_surface() places them, the correction follows.

@@ -20,6 +20,9 @@ struct FoldReport {
   /// Shares of the square where S_u x S_v points against the mesh: against the mean unit normal of the mesh over
   /// +-4 samples, about a span; against the normal of the triangle there.
   double blurred = 0, raw = 0;
+  /// Of `raw` the part over triangles that agree with those around them: pleats narrower than a span. The rest is noise of
+  /// single triangles, which stand against any smooth surface.
+  double pleats = 0;
   /// Angle between the surface's normal and that mean normal, RMS over the square, degrees: ruffles that do not turn
   /// back show here.
   double normal_angle = 0;
@@ -32,9 +35,9 @@ struct FoldReport {
 };
 
 /// Folded shares up to which a surface holds [METHOD 7, "Fold measure"].
-inline constexpr double kMostBlurredFold = 1e-3, kMostRawFold = 5e-3;
+inline constexpr double kMostBlurredFold = 1e-3, kMostPleats = 5e-3;
 inline bool folds_over(const FoldReport& folds) {
-  return folds.blurred > kMostBlurredFold || folds.raw > kMostRawFold;
+  return folds.blurred > kMostBlurredFold || folds.pleats > kMostPleats;
 }
 
 /// \param uv  n x 2, parameters of the vertices

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "knotfit/index.h"
 #include "knotfit/points.h"
 #include "knotfit/source_data.h"
 #include "knotfit/surface.h"
@@ -29,11 +30,17 @@ inline constexpr int kLastReturn = -1;  ///< the last return of every pulse, wha
 struct ReadOptions {
   std::string format;  ///< empty: by extension, then content
   std::vector<std::string>
-      columns;  ///< names of the columns of a text file or n x k array: x y z u v w, "-" skips
-  std::optional<double> nodata;  ///< value of z that stands for a hole; of a raster in place of its header's
-  std::vector<int> classes;      ///< of LAS points, such as 2 for ground; empty: all
-  std::vector<int> returns;      ///< of LAS points: 1 the first, ...; kLastReturn; empty: all
-  bool places = false;           ///< a table may lack z (places to evaluate at): its z are then NaN
+      columns;  ///< names of the columns of a text file or n x k array: x y z u v w nx ny nz; others, "-": left out
+  /// What stands for missing data: a value of z (of a raster in place of its header's), or NaN for every word that
+  /// does (nan, NA, null, an empty cell). Cells become holes, points are left out and counted.
+  std::optional<double> nodata;
+  std::vector<int> classes;     ///< of LAS points, such as 2 for ground; empty: all
+  std::vector<int> returns;     ///< of LAS points: 1 the first, ...; kLastReturn; empty: all
+  bool places = false;          ///< a table may lack z (places to evaluate at): its z are then NaN
+  bool curve = false;           ///< points of one curve in order: two columns are x, y; blocks are not joined
+  Index block = 0;              ///< of the blocks of a text, from 1; 0: all
+  Index skip_lines = 0;         ///< lines of a text that are left out before anything is read
+  bool any_parameters = false;  ///< u and v may have any range: they are rescaled later
 };
 /// Reads a data file. Memory is taken only once the file's size can hold what its header claims.
 /// \throws FileError  missing, empty, truncated, malformed; names the line or byte

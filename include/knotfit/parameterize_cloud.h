@@ -9,6 +9,7 @@
 
 #include "knotfit/control.h"
 #include "knotfit/mesh.h"
+#include "knotfit/openings.h"
 #include "knotfit/parameterize_mesh.h"
 namespace knotfit {
 
@@ -30,6 +31,7 @@ struct CloudOptions {
   MeshMapOptions map = {};      ///< of the graph's mesh
   double most_folded = 0.01;    ///< share of the points, above which `automatic` leaves the plane
   double least_covered = 0.97;  ///< share of the square, below which it maps the outline
+  bool fill_holes = false;      ///< else require_no_openings()
   /// Of the points, n x 3, of any length; 0, 0, 0: unknown; empty: none. They take the place of estimated ones, and the
   /// surface's normal (S_u x S_v) points to the side that most of them do.
   std::vector<double> normals = {};
@@ -47,8 +49,14 @@ struct CloudMap {
   /// Of `plane` and `automatic`: share of the points whose neighbourhood turns away from the plane.
   double folded = 0;
   std::vector<Index> stray_rows;  ///< of map_rows(): left out, far from both neighbours; from 0
-  double covered = 0;             ///< share of the square under the triangles: elsewhere the surface is free
-  bool mapped = false;            ///< the outline was laid along the square by map_outline()
+  double covered = 0;   ///< share of the square under triangles of the data: elsewhere the surface is free
+  double outlined = 0;  ///< the same, gaps within the outline included
+  /// Share of the square where no point is within 2.5 spacings of those about it (spacing: the median circle through the
+  /// corners of a triangle). A ragged rim leaves none, a round outline in its rectangle does.
+  double bare = 0;
+  /// Gaps within the outline that hold an empty circle of 4 spacings or more: windows, the second rim of a tube.
+  std::vector<Opening> openings;
+  bool mapped = false;                     ///< the outline was laid along the square by map_outline()
   std::array<double, 3> centre{}, axis{};  ///< of the plane (its normal) or the cylinder
   double radius = 0;                       ///< of the cylinder
   Index normals = 0;                       ///< points whose normals were given
@@ -57,9 +65,13 @@ struct CloudMap {
 
 /// \param points  n x 3, row-major
 /// \throws InvalidInput  fewer than 4 points, one not finite, all on one line; normals of another number or not finite;
-///   a cloud that the base cannot carry: the message says why and what to do
+///   a cloud that the base cannot carry, or with openings: the message says why and what to do
 CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& options = {},
                             const Control& control = {});
+
+/// For clouds whose openings are not to be closed unasked. \throws InvalidInput  there are some, or more than 5 % of the
+/// square is bare: where they are, and what else there is than to fill them
+void require_no_openings(const CloudMap& cloud);
 
 /// Points whose parameters are known, joined by the Delaunay triangulation of the parameters, lengths as in space.
 /// Parameters move by less than 2^-29.

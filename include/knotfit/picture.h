@@ -1,5 +1,6 @@
 // Pictures: the shaded surface with its isolines and errors, the parameter plane beside it.
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct PictureInput {
   /// The surface shows reflection lines in place of errors: a row of lamps 10 degrees apart, as its normals mirror
   /// them to the eye. The parameter plane stays as it is.
   bool reflections = false;
+  /// Triangles of the parameter plane, (u, v) of each corner, over openings of the data: grey and hatched, on the surface too.
+  std::vector<std::array<double, 6>> openings;
   std::vector<FoldPlace> fold_places;  ///< circled in the parameter plane, as large as their share of it
 };
 struct PictureOptions {

@@ -91,6 +91,7 @@ struct RefineResult {
   InteriorKnots metric;            ///< fine error-model knots (for BetweenOptions); may be empty
   Surface surface;                 ///< the best; with minimax its control points are not the least squares'
   bool least_squares = true;       ///< they are
+  InteriorKnots nearest;           ///< of the surface of least error of all tried, whether it swings or not
   bool holds = false;              ///< the best surface holds the tolerance and does not swing
   bool swings = false;             ///< the best surface does: none was found that does not
   Index fill_points = 0;           ///< places between the data that the surface was held at

@@ -54,6 +54,11 @@ struct SourceData {
   std::string format;  ///< "esri-ascii", "csv", "npy", "rows", "ply", "obj", "off", "stl", "las", "pcd"
   std::variant<Raster, PointTable, PointRows, Mesh> content;
   std::vector<std::string> notes = {};  ///< what a file says beside that, a sentence each: classes of points
+  /// What each column of a text or an array was taken for: "x", "intensity"; "-": unknown and left out. Empty: the
+  /// format says it.
+  std::vector<std::string> columns = {};
+  std::string columns_from = {};  ///< what told it: "option", "header", "guess"
+  Index left_out = 0;             ///< points that miss a value (ReadOptions::nodata)
 };
 
 }  // namespace knotfit

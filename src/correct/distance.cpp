@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "correct/largest_distance.h"
 #include "correct/map_samples.h"
 #include "correct/triangle_tree.h"
 #include "correct/watch.h"
@@ -137,12 +138,14 @@ DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::sp
   }
   const TriangleTree tree(mesh.vertices, faces);
   std::vector<double> distances(static_cast<std::size_t>(nu * nv), -1.0);
+  std::vector<double> places(static_cast<std::size_t>(3 * nu * nv));
   Watch watch(control, "distance to the mesh");
   const Index turn = 16;
   for (Index from = 0; from < nu; from += turn) {
     if (watch.report(static_cast<double>(from) / static_cast<double>(nu))) return {};
     const Index count = std::min(turn, nu - from);
     const std::vector<double> points = evaluate_grid(surface, std::span(u).subspan(from, count), v);
+    std::copy(points.begin(), points.end(), places.begin() + from * nv * 3);
     parallel_for(count, [&](Index i) {
       Index hint = -1;
       for (Index j = 0; j < nv; ++j) {
@@ -162,9 +165,12 @@ DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::sp
     throw InvalidInput("the mesh covers no part of the surface's parameters: are these its own?");
   DistanceSummary s = summarize(measured);
   s.worst = kept[s.worst];
-  s.worst_u = u[s.worst / nv];
-  s.worst_v = v[s.worst % nv];
-  evaluate(surface, s.worst_u, s.worst_v, s.worst_point);
+  const LargestDistance largest = largest_distance(surface, tree, {u, v, distances, places}, control);
+  if (largest.stopped) return {};
+  s.max = largest.distance;
+  s.worst_u = largest.u;
+  s.worst_v = largest.v;
+  std::copy_n(largest.point, 3, s.worst_point);
   return s;
 }
 

@@ -252,4 +252,59 @@ std::vector<double> final_parameters(Faces faces, const std::vector<Vec3>& posit
   return corrected;
 }
 
+Index approach_feet(Faces faces, const std::vector<Vec3>& position, std::span<const Slide> slide,
+                    std::span<const double> feet, std::span<const double> distance, const Surface& surface,
+                    std::vector<double>& uv) {
+  constexpr int most_sweeps = 60;
+  constexpr double far = 3;            // times the distance, or its RMS
+  constexpr double least_area = 1e-3;  // of what a triangle had
+  constexpr double ways[] = {1, 0.5, 0.25, 0.1};
+  const CellPolynomials cells(surface);
+  const Stars stars(faces, position.size());
+  const auto error = [&](std::size_t k) {
+    return length(cells.jet(uv[2 * k], uv[2 * k + 1]).s - position[k]);
+  };
+  double square = 0;
+  Index data = 0;
+  for (const double d : distance)
+    if (!std::isnan(d)) square += d * d, ++data;
+  const double rms = data > 0 ? std::sqrt(square / static_cast<double>(data)) : 0;
+  std::vector<std::int32_t> lagging;
+  for (std::size_t k = 0; k < position.size(); ++k)
+    if (slide[k] != Slide::fixed && !std::isnan(feet[2 * k]) &&
+        error(k) > far * std::max(std::abs(distance[k]), rms))
+      lagging.push_back(static_cast<std::int32_t>(k));
+  std::vector<double> least(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) least[f] = least_area * area(uv, faces[f]);
+  std::vector<char> moved(position.size(), 0);
+  for (int sweep = 0; sweep < most_sweeps && !lagging.empty(); ++sweep) {
+    bool any = false;
+    std::vector<std::int32_t> left;
+    for (const std::int32_t k : lagging) {
+      const double here[2] = {uv[2 * k], uv[2 * k + 1]}, before = error(static_cast<std::size_t>(k));
+      bool there = false;
+      for (const double way : ways) {
+        if (slide[k] != Slide::along_v) uv[2 * k] = here[0] + way * (feet[2 * k] - here[0]);
+        if (slide[k] != Slide::along_u) uv[2 * k + 1] = here[1] + way * (feet[2 * k + 1] - here[1]);
+        const auto star = stars.of(k);
+        // A triangle that is turned over already counts for nothing.
+        const bool sound = std::all_of(star.begin(), star.end(), [&](std::size_t f) {
+          return !(least[f] > 0) || area(uv, faces[f]) >= least[f];
+        });
+        if (sound && error(static_cast<std::size_t>(k)) < before) {
+          any = true;
+          moved[k] = 1;
+          there = way == 1;
+          break;
+        }
+        uv[2 * k] = here[0], uv[2 * k + 1] = here[1];
+      }
+      if (!there) left.push_back(k);
+    }
+    lagging = std::move(left);
+    if (!any) break;
+  }
+  return std::count(moved.begin(), moved.end(), 1);
+}
+
 }  // namespace knotfit::correction

@@ -25,4 +25,13 @@ std::vector<double> final_parameters(std::span<const std::array<std::int32_t, 3>
 bool untangle(std::span<const std::array<std::int32_t, 3>> faces, std::span<const Slide> slide,
               const std::vector<double>& first, std::vector<double>& uv);
 
+/// Vertices whose error at their parameters is far larger than their distance go to their foot points one by one, as far
+/// as no triangle turns over, or shrinks to less than a thousandth of what it was: where a whole patch lags behind, over many sweeps.
+/// \param feet      n x 2, of the closest points; NaN: no data, stays
+/// \param distance  n, from them; any sign
+/// \return vertices moved
+Index approach_feet(std::span<const std::array<std::int32_t, 3>> faces, const std::vector<Vec3>& position,
+                    std::span<const Slide> slide, std::span<const double> feet,
+                    std::span<const double> distance, const Surface& surface, std::vector<double>& uv);
+
 }  // namespace knotfit::correction

@@ -66,6 +66,31 @@ std::vector<FoldPlace> places(const MapSamples& grid, const std::vector<char>& f
   return result;
 }
 
+/// Triangles whose neighbours by a corner have normals that agree (their mean is longer than 0.8), and that agree with them
+/// (within 45 degrees): 1.
+std::vector<char> agreeing_faces(const MapView& map) {
+  constexpr double least_length = 0.8, least_cosine = 0.7071;
+  std::vector<Vec3> normal(map.faces.size()), sum(map.vertices.size());
+  std::vector<int> count(map.vertices.size(), 0);
+  const auto is_data = [&](std::size_t f) { return map.virtual_face.empty() || map.virtual_face[f] == 0; };
+  for (std::size_t f = 0; f < map.faces.size(); ++f) {
+    const auto& t = map.faces[f];
+    normal[f] = unit(cross(map.vertices[t[1]] - map.vertices[t[0]], map.vertices[t[2]] - map.vertices[t[0]]));
+    if (is_data(f))
+      for (const std::int32_t k : t) sum[k] += normal[f], ++count[k];
+  }
+  std::vector<char> agree(map.faces.size(), 0);
+  for (std::size_t f = 0; f < agree.size(); ++f) {
+    Vec3 all;
+    int n = 0;
+    for (const std::int32_t k : map.faces[f]) all += sum[k], n += count[k];
+    if (n == 0) continue;
+    const double mean = length(all) / n;
+    agree[f] = mean > least_length && dot(normal[f], unit(all)) > least_cosine;
+  }
+  return agree;
+}
+
 }  // namespace
 
 FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<const double> uv) {
@@ -102,6 +127,7 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
       normals[3 * q] = normal.x, normals[3 * q + 1] = normal.y, normals[3 * q + 2] = normal.z;
     }
   });
+  const std::vector<char> agree = agreeing_faces(map);
   const std::vector<double> means = window_means(normals, 3, use, nu, nv, kReach);
   double all = 0, covered = 0, area_sum = 0;
   for (Index q = 0; q < n; ++q) {
@@ -125,7 +151,10 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
     angles += w * angle * angle;
     folded[q] = turned[q] < 0;
     if (folded[q]) report.blurred += w;
-    if (dot(own[q], at(&normals[3 * q])) < 0) report.raw += w;
+    if (dot(own[q], at(&normals[3 * q])) < 0) {
+      report.raw += w;
+      if (agree[grid.face[q]] != 0) report.pleats += w;
+    }
     const double relative = mean_area > 0 ? area[q] / mean_area : 0;
     report.least_area = std::min(report.least_area, relative);
     report.least_sine = std::min(report.least_sine, sine[q]);

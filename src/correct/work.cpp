@@ -191,6 +191,17 @@ CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, cons
     if (result.folds.flipped > 0) take(ended_at(first_));
   }
   measure(result, mesh_, data_, control);
+  std::vector<Vec3> position;
+  for (Index k = 0; k < mesh_.vertex_count(); ++k) position.push_back(at(mesh_.vertex(k)));
+  std::vector<double> nearer = result.uv;
+  if (approach_feet(mesh_.faces, position, sliding_, result.foot_points, result.signed_distances,
+                    result.surface, nearer) > 0) {
+    FoldReport folds = measure_folds(result.surface, mesh_, nearer);
+    if (folds.flipped <= result.folds.flipped && (!folds_over(folds) || folds_over(result.folds))) {
+      result.uv = std::move(nearer);
+      result.folds = std::move(folds);
+    }
+  }
   return result;
 }
 

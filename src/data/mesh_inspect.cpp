@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "data/mesh_topology.h"
 #include "knotfit/errors.h"
@@ -163,6 +166,37 @@ std::string parts_text(const Mesh& mesh, const MeshReport& report, const MeshTop
       report.parts, faces, names.face(second));
 }
 
+/// The middle of a loop by the lengths of its edges, and the area it encloses, as a vector.
+struct LoopShape {
+  std::array<double, 3> middle{}, area{};
+};
+
+LoopShape shape_of(const Mesh& mesh, const MeshTopology& topology, const BoundaryLoop& loop) {
+  LoopShape shape;
+  const double* origin = mesh.vertex(topology.from(loop.half_edges[0]));
+  for (const std::int32_t h : loop.half_edges) {
+    const double *p = mesh.vertex(topology.from(h)), *q = mesh.vertex(topology.to(h));
+    const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+    for (int c = 0; c < 3; ++c) {
+      const int d = (c + 1) % 3, e = (c + 2) % 3;
+      if (loop.length > 0) shape.middle[c] += length / loop.length * 0.5 * (p[c] + q[c]);
+      shape.area[c] +=
+          0.5 * ((p[d] - origin[d]) * (q[e] - origin[e]) - (p[e] - origin[e]) * (q[d] - origin[d]));
+    }
+  }
+  return shape;
+}
+
+/// Two loops of about one length that lie one above the other: the ends of a tube.
+bool ends_of_a_tube(const Mesh& mesh, const MeshTopology& topology, const std::vector<BoundaryLoop>& loops) {
+  if (loops.size() != 2 || !(loops[1].length > 0.5 * loops[0].length)) return false;
+  const LoopShape a = shape_of(mesh, topology, loops[0]), b = shape_of(mesh, topology, loops[1]);
+  double along = 0, area = 0;
+  for (int c = 0; c < 3; ++c) along += a.area[c] * (b.middle[c] - a.middle[c]), area += a.area[c] * a.area[c];
+  const double radius = loops[0].length / (2 * std::numbers::pi);
+  return std::abs(along) > 0.5 * radius * std::sqrt(area);
+}
+
 std::string loops_text(const Mesh& mesh, const MeshReport& report, const MeshTopology& topology) {
   const Names names(mesh);
   if (report.loop_edges.empty())
@@ -172,10 +206,24 @@ std::string loops_text(const Mesh& mesh, const MeshReport& report, const MeshTop
     edges += fmt::format("{}{}", k == 0 ? "" : ", ", report.loop_edges[k]);
   if (report.loop_edges.size() > 5) edges += ", ...";
   const std::vector<BoundaryLoop> loops = topology.loops();
-  return fmt::format(
-      "the mesh has {} boundary loops, of {} edges; the second passes {}. --fill-holes closes all "
-      "but the longest",
-      report.loop_edges.size(), edges, names.vertex(topology.from(loops[1].half_edges[0])));
+  std::string openings;
+  for (std::size_t k = 1; k < loops.size() && k < 6; ++k) {
+    const LoopShape shape = shape_of(mesh, topology, loops[k]);
+    openings += fmt::format(", at ({:.8g}, {:.8g}, {:.8g}) {:.3g} around", shape.middle[0], shape.middle[1],
+                            shape.middle[2], loops[k].length);
+  }
+  if (loops.size() > 6) openings += ", ...";
+  std::string text = fmt::format(
+      "the mesh has {} boundary loops, of {} edges: {} opening{} beside its rim{}; the second passes {}. "
+      "--fill-holes closes all but the longest, and the surface is free there",
+      loops.size(), edges, loops.size() - 1, loops.size() == 2 ? "" : "s", openings,
+      names.vertex(topology.from(loops[1].half_edges[0])));
+  if (ends_of_a_tube(mesh, topology, loops))
+    text +=
+        "; a tube is better fitted around an axis: make points of the mesh (knotfit convert MESH -o "
+        "points.csv) "
+        "and fit these with --base cylinder";
+  return text;
 }
 
 }  // namespace

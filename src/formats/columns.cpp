@@ -17,6 +17,11 @@ Index count(std::span<const Role> roles, Role role) {
   return std::count(roles.begin(), roles.end(), role);
 }
 
+/// "x" of "x [mm]".
+std::string_view plain_name(std::string_view name) {
+  return trimmed(name.substr(0, name.find_first_of("([")));
+}
+
 }  // namespace
 
 std::string_view role_name(Role role) {
@@ -24,42 +29,69 @@ std::string_view role_name(Role role) {
 }
 
 Role role_of(std::string_view name) {
-  name = trimmed(name.substr(0, name.find_first_of("([")));  // "x [mm]"
-  const std::string lower = lower_case(name);
+  const std::string lower = lower_case(plain_name(name));
   for (int r = 0; r < kRoles; ++r)
     if (lower == kNames[static_cast<std::size_t>(r)]) return static_cast<Role>(r);
   if (lower == "s") return Role::u;
   if (lower == "t") return Role::v;
   if (lower == "weight") return Role::w;
-  if (lower == "normal_x") return Role::nx;
-  if (lower == "normal_y") return Role::ny;
-  if (lower == "normal_z") return Role::nz;
+  if (lower == "normal_x" || lower == "normalx") return Role::nx;
+  if (lower == "normal_y" || lower == "normaly") return Role::ny;
+  if (lower == "normal_z" || lower == "normalz") return Role::nz;
   return Role::skip;
 }
 
-std::vector<Role> roles_of_option(std::span<const std::string> names, bool places) {
-  std::vector<Role> roles;
-  for (const std::string& name : names) {
-    const Role role = role_of(name);
-    if (role == Role::skip && trimmed(name) != "-")
-      throw InvalidInput(
-          fmt::format("unknown column {}: columns are x, y, z, u, v, w, nx, ny, nz, and - for one to skip",
-                      in_quotes(name)));
-    roles.push_back(role);
-  }
-  if (const std::string why = objection(roles, places); !why.empty())
-    throw InvalidInput(fmt::format("the columns {} make no points: {}", fmt::join(names, ","), why));
-  return roles;
+std::string_view attribute_of(std::string_view name) {
+  // Of each list the first is the name in reports.
+  constexpr std::string_view kAttributes[] = {
+      "r red diffuse_red",
+      "g green diffuse_green",
+      "b blue diffuse_blue",
+      "a alpha",
+      "rgb rgba rgbcolor",
+      "intensity i int reflectance reflectivity amplitude scalar_intensity",
+      "time t timestamp gps_time gpstime",
+      "class classification label",
+      "return return_number returnnumber number_of_returns numberofreturns",
+      "curvature",
+      "index id idx nr no point_id"};
+  const std::string wanted = " " + lower_case(plain_name(name)) + " ";
+  if (wanted.find(' ', 1) + 1 != wanted.size() || wanted.size() < 3) return {};
+  for (const std::string_view list : kAttributes)
+    if (fmt::format(" {} ", list).find(wanted) != std::string::npos) return list.substr(0, list.find(' '));
+  return {};
 }
 
-std::vector<Role> roles_of_count(Index columns) {
-  std::vector<Role> roles = {Role::x, Role::y, Role::z};
-  if (columns == 3) return roles;
-  roles.insert(roles.end(), {Role::u, Role::v});
-  if (columns == 5) return roles;
-  roles.push_back(Role::w);
-  if (columns == 6) return roles;
-  return {};
+Columns columns_of_header(std::span<const std::string_view> names) {
+  const auto has = [&](std::string_view wanted) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return lower_case(plain_name(name)) == wanted; });
+  };
+  Columns columns;
+  for (const std::string_view name : names) {
+    const std::string lower = lower_case(plain_name(name));
+    Role role = role_of(name);
+    if (lower == "t" && (has("v") || !(has("s") || has("u")))) role = Role::skip;
+    if (lower == "s" && !has("t") && !has("v")) role = Role::skip;
+    const std::string_view attribute = lower == "s" ? "s" : attribute_of(name);
+    columns.roles.push_back(role);
+    columns.told.emplace_back(role != Role::skip ? role_name(role) : attribute.empty() ? "-" : attribute);
+  }
+  return columns;
+}
+
+Columns columns_of_option(std::span<const std::string> names, bool places) {
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  Columns columns = columns_of_header(views);
+  for (std::size_t k = 0; k < views.size(); ++k)
+    if (columns.told[k] == "-" && trimmed(views[k]) != "-")
+      throw InvalidInput(
+          fmt::format("unknown column {}: columns are x, y, z, u, v, w, nx, ny, nz; r, g, b, intensity, time "
+                      "and others of a header are left out, and so is -",
+                      in_quotes(views[k])));
+  if (const std::string why = objection(columns.roles, places); !why.empty())
+    throw InvalidInput(fmt::format("the columns {} make no points: {}", fmt::join(names, ","), why));
+  return columns;
 }
 
 std::string objection(std::span<const Role> roles, bool places) {

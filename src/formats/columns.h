@@ -21,13 +21,23 @@ std::string_view role_name(Role role);
 /// are u and v, "weight" is w, "normal_x" nx. \return skip where the name is unknown
 Role role_of(std::string_view name);
 
-/// Roles of the columns a user named.
-/// \throws InvalidInput  an unknown name, or a set of columns that makes no points
-std::vector<Role> roles_of_option(std::span<const std::string> names, bool places = false);
+/// What the columns of a file are.
+struct Columns {
+  std::vector<Role> roles;        ///< one a column
+  std::vector<std::string> told;  ///< what each is called in reports: "x", "intensity"; "-": unknown
+  bool empty() const { return roles.empty(); }
+};
 
-/// Roles by count where nothing names the columns: 3 x,y,z; 5 with u,v; 6 with w. \return empty
-/// for other counts
-std::vector<Role> roles_of_count(Index columns);
+/// Columns by the names of a header. Colours, intensity, times and the like are known and left out. t is a time unless
+/// s or u stands beside it, s something of its own unless t or v does.
+Columns columns_of_header(std::span<const std::string_view> names);
+
+/// Columns that a user named, by the names that a header may have; "-" leaves one out.
+/// \throws InvalidInput  an unknown name, or a set of columns that makes no points
+Columns columns_of_option(std::span<const std::string> names, bool places = false);
+
+/// What a name that no role has stands for, and is left out: "r", "intensity", "time". Empty: an unknown name.
+std::string_view attribute_of(std::string_view name);
 
 /// Why these columns make no points, or empty where they do: z is needed, x and y go together,
 /// u and v too, x,y or u,v must be there, and none twice.

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "formats/file_bytes.h"
+#include "formats/foreign.h"
 #include "formats/json_document.h"
 #include "formats/number.h"
 #include "knotfit/curve_io.h"
@@ -108,6 +109,7 @@ CurveDocument curve_from_json(std::string_view text, const std::string& path) {
 
 CurveDocument read_curve(const std::string& path) {
   const FileBytes file = load_file(path);
+  refuse_foreign(file);
   return curve_from_json(file.view(), path);
 }
 

@@ -1,6 +1,7 @@
 // ESRI ASCII grids: a header of keywords and values, then rows of heights from north to south.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -22,6 +23,15 @@ enum Key { ncols, nrows, xllcorner, xllcenter, yllcorner, yllcenter, cellsize, d
 constexpr std::array<std::string_view, kKeys> kNames = {"ncols",     "nrows",       "xllcorner", "xllcenter",
                                                         "yllcorner", "yllcenter",   "cellsize",  "dx",
                                                         "dy",        "nodata_value"};
+
+/// What writers leave where there is no height. Nothing else is meant by them, whatever the header's nodata value is.
+bool is_missing_word(std::string_view word) {
+  constexpr std::string_view kMissing[] = {
+      "null", "na", "n/a", "#n/a", "none", "nil", "nodata",  "no_data",  "no-data", "missing", "void",  "nd",
+      "*",    "-",  "--",  "---",  "?",    ".",   "1.#qnan", "-1.#qnan", "1.#ind",  "-1.#ind", "1.#nan"};
+  const std::string lower = lower_case(word);
+  return std::find(std::begin(kMissing), std::end(kMissing), lower) != std::end(kMissing);
+}
 
 int key_of(std::string_view word) {
   const std::string lower = lower_case(word);
@@ -55,6 +65,10 @@ class Words {
   Index line_ = 1;
 };
 
+Index words_on_line(std::string_view text) {
+  return count_numbers(text.substr(0, text.find('\n')));
+}
+
 class Header {
  public:
   explicit Header(const FileBytes& file) : file_(file) {}
@@ -64,12 +78,16 @@ class Header {
     bool more = words.next();
     if (more && parse_number(words.word()).status != NumberStatus::not_a_number)
       fail(words.line(),
-           "an ESRI grid begins with a header (ncols, nrows, ...), not with numbers; points in "
-           "text are read with --format csv or --format rows");
+           "an ESRI grid begins with a header (ncols, nrows, ...), not with numbers; " + kPoints);
     while (more && parse_number(words.word()).status == NumberStatus::not_a_number) {
       const std::string_view word = words.word();
       const int key = key_of(word);
+      if (key < 0 && is_hole_word(word) && columns > 0 && rows > 0) break;  // the first height
       if (key < 0) refuse_word(word, words.line());
+      // "NODATA" may be the first height: more than its value follows on the line, or it was there already.
+      if (key == nodata && columns > 0 && rows > 0 && is_hole_word(word) &&
+          (line_[nodata] > 0 || words_on_line(words.rest()) != 2))
+        break;
       if (line_[key] > 0)
         fail(words.line(), fmt::format("{} is there twice (first on line {})", kNames[key], line_[key]));
       line_[key] = words.line();
@@ -81,6 +99,11 @@ class Header {
     has_data_ = more;
     first_data_line = words.line();
     check();
+  }
+
+  /// A height that is not there: a usual word for it, or the header's own.
+  bool is_hole_word(std::string_view word) const {
+    return is_missing_word(word) || (!hole_word_.empty() && lower_case(word) == hole_word_);
   }
 
   double value(Key key) const { return value_[key]; }
@@ -97,7 +120,8 @@ class Header {
  private:
   [[noreturn]] void refuse_word(std::string_view word, Index line) const {
     if (line_ == std::array<Index, kKeys>{})
-      fail(line, fmt::format("not an ESRI grid: it begins with {}, not with ncols", in_quotes(word)));
+      fail(line,
+           fmt::format("not an ESRI grid: it begins with {}, not with ncols; {}", in_quotes(word), kPoints));
     fail(line, fmt::format("{} is neither a number nor a header keyword (ncols, nrows, xllcorner, xllcenter, "
                            "yllcorner, yllcenter, cellsize, dx, dy, NODATA_value)",
                            in_quotes(word)));
@@ -113,6 +137,11 @@ class Header {
       return;
     }
     const ParsedNumber number = parse_number(words.word());
+    if (key == nodata && number.status == NumberStatus::not_a_number) {
+      hole_word_ = lower_case(words.word());
+      value_[key] = kNan;
+      return;
+    }
     if (number.status != NumberStatus::ok || (key != nodata && !std::isfinite(number.value)))
       fail(words.line(), fmt::format("{} is {}, not a finite number", kNames[key], in_quotes(words.word())));
     value_[key] = number.value;
@@ -135,6 +164,11 @@ class Header {
   }
 
   const FileBytes& file_;
+  static inline const std::string kPoints =
+      "points, a line each, are read with --input-format csv (in rows parted by blank lines: --input-format "
+      "rows)";
+
+  std::string hole_word_;  ///< NODATA_value, where it is no number
   std::array<double, kKeys> value_{};
   std::array<Index, kKeys> line_{};
   bool has_data_ = false;
@@ -184,12 +218,16 @@ class Heights {
       next = p;
       while (next < end && !is_blank(*next) && *next != '\n') ++next;
       const std::string_view word{p, static_cast<std::size_t>(next - p)};
-      const ParsedNumber number = parse_number(word);
+      ParsedNumber number = parse_number(word);
+      if (number.status == NumberStatus::not_a_number && header_.is_hole_word(word))
+        number = {NumberStatus::ok, kNan};
       if (number.status != NumberStatus::ok)
-        header_.fail(line,
-                     fmt::format("{}: {} is {}", place(count), in_quotes(word),
-                                 number.status == NumberStatus::too_large ? "beyond the range of a double"
-                                                                          : "not a number"));
+        header_.fail(
+            line,
+            fmt::format("{}: {} is {}", place(count), in_quotes(word),
+                        number.status == NumberStatus::too_large
+                            ? "beyond the range of a double"
+                            : "not a number; \"NODATA_value WORD\" in the header makes holes of a word"));
       value = number.value;
     }
     if (is_nodata(value, hole_)) value = kNan;
@@ -233,18 +271,6 @@ class Heights {
   Index lines_ = 0;
 };
 
-void refuse_other_grids(const FileBytes& file) {
-  const std::string_view bytes = file.view();
-  const auto refuse = [&](std::string_view what) {
-    throw FileError(file.path(), fmt::format("is a {} grid, which this version does not read; "
-                                             "convert it to an ESRI ASCII grid",
-                                             what));
-  };
-  if (bytes.starts_with("DSAA") || bytes.starts_with("DSBB") || bytes.starts_with("DSRB")) refuse("Surfer");
-  if (bytes.starts_with("CDF\x01") || bytes.starts_with("CDF\x02") || bytes.starts_with("\x89HDF"))
-    refuse("netCDF");
-}
-
 }  // namespace
 
 bool looks_like_esri_ascii(std::string_view text) {
@@ -254,7 +280,6 @@ bool looks_like_esri_ascii(std::string_view text) {
 }
 
 SourceData read_esri_ascii(const FileBytes& file, const ReadOptions& options) {
-  refuse_other_grids(file);
   Words words(text_of(file));
   Header header(file);
   header.read(words);
@@ -266,7 +291,9 @@ SourceData read_esri_ascii(const FileBytes& file, const ReadOptions& options) {
                                              header.columns, header.rows, data.size()));
 
   // -9999 is the format's own default.
-  const double hole = options.nodata ? *options.nodata : header.has(nodata) ? header.value(nodata) : -9999;
+  // NaN is a hole anyway.
+  const bool given = options.nodata && !std::isnan(*options.nodata);
+  const double hole = given ? *options.nodata : header.has(nodata) ? header.value(nodata) : -9999;
   Heights heights(header, hole);
   heights.read(data);
   Raster raster;

@@ -8,6 +8,7 @@
 namespace knotfit {
 
 std::string_view without_mark(std::string_view text) {
+  text = without_end_mark(text);
   return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 

@@ -7,7 +7,7 @@
 #include "formats/json_members.h"
 namespace knotfit {
 
-/// Without a byte order mark.
+/// Without a byte order mark, and without a Ctrl-Z at the end.
 std::string_view without_mark(std::string_view text);
 /// \throws FileError  the member "format" is not `format`
 void check_format(const JsonMembers& in, std::string_view format);

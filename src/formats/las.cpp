@@ -7,6 +7,7 @@
 
 #include "formats/binary_number.h"
 #include "formats/mesh_builder.h"
+#include "formats/missing.h"
 #include "formats/readers.h"
 #include "knotfit/errors.h"
 namespace knotfit {
@@ -39,6 +40,7 @@ class Header {
     if (offset < kLeastHeader)
       fail(fmt::format("the header says that the points begin at byte {}, inside the header", offset));
     count = claimed(minor);
+    more = unclaimed(minor);
     check_count();
     for (int c = 0; c < 3; ++c) {
       scale[c] = number({'f', 8}, 131 + 8 * static_cast<std::size_t>(c));
@@ -51,6 +53,7 @@ class Header {
 
   int format = 0;
   std::size_t length = 0, offset = 0, count = 0;
+  std::size_t more = 0;  ///< points that there is room for behind those claimed
   double scale[3], origin[3];
 
  private:
@@ -61,8 +64,6 @@ class Header {
   }
 
   void check_format(int stored) {
-    if (stored >= 64)
-      fail("is compressed (LAZ); decompress it first, with laszip or pdal translate in.laz out.las");
     if (stored > 10) fail(fmt::format("has points of format {}; there are 0 to 10", stored));
     format = stored;
   }
@@ -77,6 +78,20 @@ class Header {
     return static_cast<std::size_t>(std::min(wide > 0 ? wide : old, 9e18));
   }
 
+  /// Whole records between the last point and what else the header names: records of 1.4, waveforms of 1.3.
+  std::size_t unclaimed(int minor) const {
+    double end = static_cast<double>(bytes_.size());
+    const double points =
+        static_cast<double>(offset) + static_cast<double>(count) * static_cast<double>(length);
+    const auto ends_at = [&](std::size_t at) {
+      const double start = number({'u', 8}, at);
+      if (start >= points) end = std::min(end, start);
+    };
+    if (minor >= 3 && offset >= 235 && number({'u', 8}, 227) > 0) ends_at(227);
+    if (minor >= 4 && number({'u', 4}, 243) > 0) ends_at(235);
+    return end > points ? static_cast<std::size_t>((end - points) / static_cast<double>(length)) : 0;
+  }
+
   void check_count() const {
     const std::size_t left = bytes_.size() - std::min(offset, bytes_.size());
     if (count > left / length)
@@ -84,7 +99,12 @@ class Header {
           "the header claims {} points of {} bytes, but only {} bytes follow (room for {}); it is "
           "cut off",
           count, length, left, left / length));
-    if (count == 0) fail("the header claims 0 points");
+    if (count == 0)
+      fail(more == 0
+               ? "the header claims 0 points"
+               : fmt::format("the header claims 0 points, but {} follow: the file was not finished; lasinfo "
+                             "-repair_counters (LAStools) counts them",
+                             more));
   }
 
   const FileBytes& file_;
@@ -119,6 +139,11 @@ std::string_view name_of_class(int of_class) {
       "never classified", "unclassified", "ground",    "low vegetation", "medium vegetation",
       "high vegetation",  "building",     "low noise", "key points",     "water"};
   return of_class < 10 ? names[of_class] : std::string_view();
+}
+
+/// `value` where rounding of the file's whole numbers alone parts it from the nodata value.
+double stored_value(double value, double nodata, double scale) {
+  return std::abs(value - nodata) <= 0.5 * std::abs(scale) ? nodata : value;
 }
 
 /// "1 unclassified (83893), 2 ground (26107)".
@@ -158,7 +183,8 @@ SourceData read_las(const FileBytes& file, const ReadOptions& options) {
   auto& table = std::get<PointTable>(data.content);
   std::vector<double>* columns[] = {&table.x, &table.y, &table.z};
   for (auto* column : columns) column->reserve(kept);
-  if (kept < header.count) table.line.reserve(kept);
+  const bool number_points = kept < header.count || options.nodata;
+  if (number_points) table.line.reserve(kept);
   const LoadNumber load = number_loader({'i', 4}, false);
   for (std::size_t k = 0; k < header.count; ++k) {
     const char* const record = first + k * header.length;
@@ -170,11 +196,25 @@ SourceData read_las(const FileBytes& file, const ReadOptions& options) {
         throw FileError(file.path(), fmt::format("point {} (from 1): {} is not finite", k + 1, "xyz"[c]));
       columns[c]->push_back(x);
     }
-    if (kept < header.count) table.line.push_back(static_cast<Index>(k) + 1);
+    if (number_points) table.line.push_back(static_cast<Index>(k) + 1);
   }
+  std::vector<Index> missing;
+  if (options.nodata)
+    for (Index k = 0; k < table.size(); ++k)
+      if (misses_value(stored_value(table.z[k], *options.nodata, header.scale[2]), true, options.nodata))
+        missing.push_back(k);
+  drop_points(table, missing);
+  data.left_out = static_cast<Index>(missing.size()) + drop_far_nodata(table, options.nodata);
+  if (table.z.empty()) throw FileError(file.path(), "every point has the nodata value");
   data.notes.push_back("classes: " + list_of(classes, true));
   data.notes.push_back("returns: " + list_of(returns, false));
   if (withheld > 0) data.notes.push_back(fmt::format("{} points marked as withheld are left out", withheld));
+  if (data.left_out > 0) data.notes.push_back(left_out_note(data.left_out, *options.nodata));
+  if (header.more > 0)
+    data.notes.push_back(
+        fmt::format("the header claims {} points, which are read, but {} more follow them: was the "
+                    "file finished? lasinfo -repair_counters (LAStools) counts them",
+                    header.count, header.more));
   return data;
 }
 

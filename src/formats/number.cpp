@@ -40,7 +40,13 @@ Index parse_count(std::string_view token) {
   Index value = 0;
   const char* end = token.data() + token.size();
   const auto [next, error] = std::from_chars(token.data(), end, value);
-  return next == end && error == std::errc() && value >= 0 ? value : -1;
+  if (next == end && error == std::errc() && value >= 0) return value;
+  // "14.0", "1.4e1": programs that know floating-point numbers only.
+  constexpr double kExact = 9007199254740992;  // 2^53: whole numbers are exact up to it
+  const ParsedNumber number = parse_number(token);
+  const bool whole = number.status == NumberStatus::ok && number.value >= 0 && number.value <= kExact &&
+                     number.value == std::floor(number.value);
+  return whole ? static_cast<Index>(number.value) : -1;
 }
 
 void append_number(std::string& out, double value) {

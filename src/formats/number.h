@@ -19,7 +19,7 @@ struct ParsedNumber {
 /// nan and inf are numbers. What is below the smallest double is 0.
 ParsedNumber parse_number(std::string_view token);
 
-/// A whole token as a count >= 0. \return -1 where it is none
+/// A whole token as a count >= 0, also written as "14.0" or "1.4e1". \return -1 where it is none
 Index parse_count(std::string_view token);
 
 /// The longest number at the start of [begin, end), or begin where there is none: the fast path.

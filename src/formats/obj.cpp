@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "formats/mesh_builder.h"
+#include "formats/missing.h"
 #include "formats/number.h"
 #include "formats/readers.h"
 #include "formats/text_numbers.h"
@@ -59,7 +61,8 @@ std::pair<std::string_view, std::string_view> split_word(std::string_view line) 
 
 class ObjReader {
  public:
-  explicit ObjReader(const FileBytes& file) : file_(file), text_(text_of(file)), builder_(file, 1) {}
+  ObjReader(const FileBytes& file, const ReadOptions& options)
+      : file_(file), options_(options), text_(text_of(file)), builder_(file, 1) {}
 
   SourceData read() {
     count_lines();
@@ -74,12 +77,12 @@ class ObjReader {
     // Points with as many parameters: one each.
     if (faces_ == 0 && parameters_ == vertices_)
       for (std::size_t k = 0; k < uv_.size(); k += 2) builder_.add_parameters(uv_[k], uv_[k + 1]);
-    if (faces_ == 0) return {file_.path(), "obj", builder_.points(), notes_};
+    if (faces_ == 0) return points();
     read_faces();
     Mesh mesh = builder_.finish();
     const std::vector<std::string> said = builder_.notes();
     notes_.insert(notes_.end(), said.begin(), said.end());
-    return {file_.path(), "obj", std::move(mesh), notes_};
+    return {.path = file_.path(), .format = "obj", .content = std::move(mesh), .notes = notes_};
   }
 
  private:
@@ -117,7 +120,8 @@ class ObjReader {
       if (word == "v") {
         LineNumbers numbers(file_, line, rest, "vertex");
         double xyz[3];
-        for (double& x : xyz) x = numbers.number();
+        for (double& x : xyz) x = faces_ == 0 ? number_or_none(numbers, line) : numbers.number();
+        if (faces_ == 0) check_point(xyz);
         builder_.add_vertex(xyz, line.number);  // a weight or a colour may follow
       } else if (word == "vt") {
         LineNumbers numbers(file_, line, rest, "texture vertex");
@@ -125,6 +129,39 @@ class ObjReader {
         uv_.push_back(numbers.at_end() ? 0 : numbers.number_or_nan());
       }
     }
+  }
+
+  /// Of a point without faces: NaN where the value is missing, and may be.
+  double number_or_none(LineNumbers& numbers, const TextLine& line) const {
+    const std::string_view word = numbers.token();
+    const ParsedNumber parsed = parse_number(word);
+    const bool read = parsed.status == NumberStatus::ok;
+    if (read && std::isfinite(parsed.value)) return parsed.value;
+    if (!read && !is_missing_word(word)) return LineNumbers(file_, line, word, "vertex").number();
+    if (!options_.nodata || !std::isnan(*options_.nodata))
+      builder_.fail(line.number,
+                    fmt::format("vertex: {} is not a finite number; {}", in_quotes(word), kLeaveOut));
+    return *options_.nodata;
+  }
+
+  /// A point that is to be left out gets a place until then.
+  void check_point(double* xyz) {
+    const bool finite = std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
+    if (!misses_value(xyz[2], finite, options_.nodata)) return;
+    missing_.push_back(builder_.vertex_count());
+    std::fill_n(xyz, 3, 0.0);
+  }
+
+  SourceData points() {
+    SourceData data{.path = file_.path(), .format = "obj", .content = PointTable{}};
+    data.notes = notes_;
+    PointTable table = builder_.points();
+    drop_points(table, missing_);
+    data.left_out = static_cast<Index>(missing_.size()) + drop_far_nodata(table, options_.nodata);
+    if (table.z.empty()) throw FileError(file_.path(), "every point has the nodata value");
+    if (data.left_out > 0) data.notes.push_back(left_out_note(data.left_out, *options_.nodata));
+    data.content = std::move(table);
+    return data;
   }
 
   void read_faces() {
@@ -178,17 +215,19 @@ class ObjReader {
   }
 
   const FileBytes& file_;
+  const ReadOptions& options_;
   std::string_view text_;
   MeshBuilder builder_;
   Index vertices_ = 0, parameters_ = 0, faces_ = 0, triangles_ = 0;
-  std::vector<double> uv_;  // of vt lines; NaN: not finite, or no number
+  std::vector<double> uv_;      // of vt lines; NaN: not finite, or no number
+  std::vector<Index> missing_;  // of points without faces
   std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-SourceData read_obj(const FileBytes& file, const ReadOptions&) {
-  return ObjReader(file).read();
+SourceData read_obj(const FileBytes& file, const ReadOptions& options) {
+  return ObjReader(file, options).read();
 }
 
 }  // namespace knotfit

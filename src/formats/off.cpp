@@ -26,11 +26,12 @@ class OffReader {
       read_numbers(*layout);
     else
       read_lines();
-    if (faces_ == 0) return {file_.path(), "off", builder_.points(), notes_};
+    if (faces_ == 0)
+      return {.path = file_.path(), .format = "off", .content = builder_.points(), .notes = notes_};
     Mesh mesh = builder_.finish();
     const std::vector<std::string> said = builder_.notes();
     notes_.insert(notes_.end(), said.begin(), said.end());
-    return {file_.path(), "off", std::move(mesh), notes_};
+    return {.path = file_.path(), .format = "off", .content = std::move(mesh), .notes = notes_};
   }
 
  private:

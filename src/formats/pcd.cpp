@@ -8,7 +8,7 @@
 #include "formats/columns.h"
 #include "formats/lzf.h"
 #include "formats/mesh_builder.h"
-#include "formats/nodata.h"
+#include "formats/missing.h"
 #include "formats/number.h"
 #include "formats/pcd_header.h"
 #include "formats/readers.h"
@@ -59,12 +59,15 @@ class Points {
   /// \param value  by role
   void take(double* value, Index point, Index line) {
     clear_unknown_normal(value);
-    bool hole = options_.nodata && is_nodata(value[2], *options_.nodata);
-    for (int c = 0; c < 3; ++c) hole = hole || std::isnan(value[c]);
+    bool finite = true;
+    for (const Role role : fields_.used) finite = finite && std::isfinite(value[static_cast<int>(role)]);
+    bool hole = misses_value(value[2], finite, options_.nodata);
+    // In a camera's grid a point without coordinates is a pixel that saw nothing.
+    for (int c = 0; c < 3 && grid_; ++c) hole = hole || std::isnan(value[c]);
     for (const Role role : fields_.used)
       if (!hole && !std::isfinite(value[static_cast<int>(role)])) {
         const std::string message =
-            fmt::format("point {} (from 1): {} is not finite", point + 1, role_name(role));
+            fmt::format("point {} (from 1): {} is not finite; {}", point + 1, role_name(role), kLeaveOut);
         if (line > 0) throw FileError(file_.path(), static_cast<long long>(line), message);
         throw FileError(file_.path(), message);
       }
@@ -78,9 +81,13 @@ class Points {
   SourceData finish() {
     if (holes_ == header_.points) throw FileError(file_.path(), "every point is NaN or has the nodata value");
     if (!grid_) {
-      if (holes_ > 0 || header_.encoding == PcdEncoding::ascii) table_.line = std::move(lines_);
-      SourceData data{file_.path(), "pcd", std::move(table_)};
-      if (holes_ > 0) data.notes.push_back(fmt::format("{} points without coordinates are left out", holes_));
+      table_.line = std::move(lines_);
+      SourceData data{.path = file_.path(), .format = "pcd", .content = PointTable{}};
+      data.left_out = holes_ + drop_far_nodata(table_, options_.nodata);
+      if (table_.z.empty()) throw FileError(file_.path(), "every point has the nodata value");
+      if (data.left_out > 0) data.notes.push_back(left_out_note(data.left_out, *options_.nodata));
+      if (data.left_out == 0 && header_.encoding != PcdEncoding::ascii) table_.line.clear();
+      data.content = std::move(table_);
       return data;
     }
     PointRows rows;
@@ -139,7 +146,9 @@ void read_text(const FileBytes& file, const PcdHeader& header, const ReadOptions
       const auto c = static_cast<std::size_t>(role);
       const std::string_view word =
           words[static_cast<std::size_t>(first[static_cast<std::size_t>(points.fields().at[c])])];
-      const ParsedNumber parsed = parse_number(word);
+      ParsedNumber parsed = parse_number(word);
+      if (parsed.status == NumberStatus::not_a_number && is_missing_word(word))
+        parsed = {NumberStatus::ok, kNan};
       if (parsed.status != NumberStatus::ok)
         throw FileError(file.path(), number,
                         fmt::format("{}: {} is not a number", role_name(role), in_quotes(word)));

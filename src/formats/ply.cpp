@@ -6,6 +6,7 @@
 
 #include "formats/columns.h"
 #include "formats/mesh_builder.h"
+#include "formats/missing.h"
 #include "formats/ply_rows.h"
 #include "formats/readers.h"
 #include "formats/text_lines.h"
@@ -46,7 +47,8 @@ const PlyElement* find(const PlyHeader& header, std::string_view name) {
 
 class PlyReader {
  public:
-  PlyReader(const FileBytes& file) : file_(file), header_(parse_ply_header(file)), builder_(file, 0) {
+  PlyReader(const FileBytes& file, const ReadOptions& options)
+      : file_(file), options_(options), header_(parse_ply_header(file)), builder_(file, 0) {
     vertex_ = find(header_, "vertex");
     if (vertex_ == nullptr) throw FileError(file.path(), "the header has no element \"vertex\"");
     face_ = find(header_, "face");
@@ -74,14 +76,28 @@ class PlyReader {
     }
     std::vector<std::string> notes;
     if (std::string after = rows_->end_file(); !after.empty()) notes.push_back(std::move(after));
-    if (face_ == nullptr) return {file_.path(), "ply", std::move(points_), std::move(notes)};
-    Mesh mesh = builder_.finish();
-    const std::vector<std::string> said = builder_.notes();
-    notes.insert(notes.end(), said.begin(), said.end());
-    return {file_.path(), "ply", std::move(mesh), std::move(notes)};
+    return face_ != nullptr ? mesh(std::move(notes)) : points(std::move(notes));
   }
 
  private:
+  SourceData mesh(std::vector<std::string> notes) {
+    Mesh mesh = builder_.finish();
+    const std::vector<std::string> said = builder_.notes();
+    notes.insert(notes.end(), said.begin(), said.end());
+    return {.path = file_.path(), .format = "ply", .content = std::move(mesh), .notes = std::move(notes)};
+  }
+
+  SourceData points(std::vector<std::string> notes) {
+    drop_points(points_, missing_);
+    const Index left_out = static_cast<Index>(missing_.size()) + drop_far_nodata(points_, options_.nodata);
+    if (points_.z.empty()) throw FileError(file_.path(), "every point has the nodata value");
+    if (left_out > 0) notes.push_back(left_out_note(left_out, *options_.nodata));
+    SourceData data{.path = file_.path(), .format = "ply", .content = std::move(points_)};
+    data.notes = std::move(notes);
+    data.left_out = left_out;
+    return data;
+  }
+
   bool text() const { return header_.encoding == PlyEncoding::ascii; }
 
   void skip_property(const PlyProperty& p) { rows_->skip(p.type, p.list ? rows_->next_count(p) : 1); }
@@ -129,10 +145,16 @@ class PlyReader {
       return role == Role::x || role == Role::y || role == Role::z ||
              (face_ == nullptr && role != Role::skip);
     };
+    bool finite = true;
     for (const Role role : roles_)
-      if (matters(role) && !std::isfinite(value[static_cast<int>(role)]))
+      finite = finite && (!matters(role) || std::isfinite(value[static_cast<int>(role)]));
+    const bool misses = face_ == nullptr && misses_value(value[2], finite, options_.nodata);
+    if (misses) missing_.push_back(row);
+    for (const Role role : roles_)
+      if (!misses && matters(role) && !std::isfinite(value[static_cast<int>(role)]))
         builder_.fail(line,
-                      fmt::format("vertex {} (counted from 0): {} is not finite", row, role_name(role)));
+                      fmt::format("vertex {} (counted from 0): {} is not finite{}{}", row, role_name(role),
+                                  face_ == nullptr ? "; " : "", face_ == nullptr ? kLeaveOut : ""));
     if (face_ != nullptr) {
       builder_.add_vertex(value, line);
       if (parameters_)
@@ -141,7 +163,7 @@ class PlyReader {
     }
     for (const Role role : roles_)
       if (role != Role::skip) column_of(points_, role)->push_back(value[static_cast<int>(role)]);
-    if (line > 0) points_.line.push_back(line);
+    if (line > 0 || options_.nodata) points_.line.push_back(line > 0 ? line : row + 1);
   }
 
   void read_faces() {
@@ -187,6 +209,7 @@ class PlyReader {
   }
 
   const FileBytes& file_;
+  const ReadOptions& options_;
   PlyHeader header_;
   const PlyElement* vertex_ = nullptr;
   const PlyElement* face_ = nullptr;
@@ -195,12 +218,13 @@ class PlyReader {
   std::unique_ptr<PlyRows> rows_;
   MeshBuilder builder_;
   PointTable points_;
+  std::vector<Index> missing_;  // of the points
 };
 
 }  // namespace
 
-SourceData read_ply(const FileBytes& file, const ReadOptions&) {
-  return PlyReader(file).read();
+SourceData read_ply(const FileBytes& file, const ReadOptions& options) {
+  return PlyReader(file, options).read();
 }
 
 }  // namespace knotfit

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "formats/missing.h"
 #include "formats/number.h"
 #include "formats/text_lines.h"
 #include "knotfit/errors.h"
@@ -134,7 +136,9 @@ class TextRows : public PlyRows {
     if (stop == at_ || (stop < end_ && !is_blank(*stop))) {
       stop = field_end(at_, end_, Separator::blanks);
       const std::string_view token(at_, static_cast<std::size_t>(stop - at_));
-      const ParsedNumber number = parse_number(token);
+      ParsedNumber number = parse_number(token);
+      if (number.status == NumberStatus::not_a_number && is_missing_word(token))
+        number = {NumberStatus::ok, std::numeric_limits<double>::quiet_NaN()};
       if (number.status == NumberStatus::too_large)
         fail(in_quotes(token) + " is beyond the range of a double");
       if (number.status != NumberStatus::ok) fail(in_quotes(token) + " is not a number");

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <new>
 #include <stdexcept>
 
+#include "formats/foreign.h"
 #include "formats/npy_header.h"
 #include "formats/readers.h"
 #include "formats/text_lines.h"
@@ -22,15 +24,16 @@ struct Format {
 // Written out, not filled by static constructors: a static library drops objects nobody names.
 constexpr std::array kFormats = {
     Format{{"esri-ascii", ".asc .grd", "ESRI ASCII grid of heights", true, true}, read_esri_ascii},
-    Format{{"csv", ".csv .tsv .txt .xyz .dat", "points, a line each: x,y,z, x,y,z,u,v or named columns", true,
-            true},
+    Format{{"csv", ".csv .tsv .txt .xyz .pts .dat", "points, a line each: x,y,z, x,y,z,u,v or named columns",
+            true, true},
            read_csv},
-    Format{{"rows", ".rows", "rows of points x y z, a blank line between rows (.txt, .xyz and .dat too)",
-            true, false},
+    Format{{"rows", ".rows",
+            "rows of points x y z, a blank line between rows (.txt, .xyz, .pts and .dat too)", true, false},
            read_rows},
-    Format{{"npy", ".npy", "NumPy array: n x 3, 5 or 6 points, H x W heights, H x W x 3 points", true, false},
-           read_npy},
-    Format{{"npy-grid", "", "NumPy array H x W of heights, also where W is 3, 5 or 6", true, false},
+    Format{
+        {"npy", ".npy", "NumPy array: n x 3 to n x 9 points, H x W heights, H x W x 3 points", true, false},
+        read_npy},
+    Format{{"npy-grid", "", "NumPy array H x W of heights, also where W is 9 or less", true, false},
            read_npy},
     Format{{"ply", ".ply", "mesh or points, text or binary; x, y, z and s, t or u, v", true, true}, read_ply},
     Format{{"obj", ".obj", "Wavefront mesh: v, vt, polygons", true, true}, read_obj},
@@ -54,9 +57,6 @@ constexpr std::array<FormatInfo, kFormats.size()> infos() {
   return out;
 }
 constexpr std::array kInfos = infos();
-
-// Clouds, rasters and CAD files of later versions: a clearer word than "unknown".
-constexpr std::string_view kLater = " .tif .tiff .vtk .vtp .dem .img .nc .gpkg ";
 
 /// Extension of the last part of a path, in lower case with its dot; empty: none.
 std::string extension_of(const std::string& path) {
@@ -113,31 +113,45 @@ void check_format_name(const ReadOptions& options) {
     throw InvalidInput(fmt::format("unknown input format \"{}\"; there are {}", options.format, readable()));
 }
 
-void refuse_later_format(const std::string& path, const ReadOptions& options) {
-  const std::string extension = extension_of(path);
-  if (options.format.empty() && lists(kLater, extension))
-    throw FileError(
-        path, fmt::format("{} files are not supported by this version; it reads {}", extension, readable()));
+/// By the extension, where neither a format is named nor the bytes tell one that is read.
+void refuse_foreign_extension(const FileBytes& file, const ReadOptions& options) {
+  if (!options.format.empty() || by_content(file.view()) != nullptr) return;
+  if (const std::string why = foreign_extension(file.path()); !why.empty()) throw FileError(file.path(), why);
+}
+
+/// By its first bytes: a raster of some gigabytes need not be read first. Archives are told by all of their bytes.
+void refuse_foreign_beginning(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return;
+  std::ifstream in(path, std::ios::binary);
+  std::string head(kForeignBytes, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  if (head.starts_with("PK")) return;
+  if (const std::string why = foreign_file(head, path); !why.empty()) throw FileError(path, why);
 }
 
 void check_filters(const FileBytes& file, const Format& format, const ReadOptions& options) {
   if (format.read != read_las && !(options.classes.empty() && options.returns.empty()))
-    throw InvalidInput(file.path() + ": classes and returns are asked for, but only LAS files have them");
+    throw InvalidInput(
+        file.path() +
+        ": classes and returns (--classes, --returns) are asked for, but only LAS files have them");
 }
 
 SourceData read_as(const FileBytes& file, const ReadOptions& options) {
+  refuse_foreign(file);
   if (!options.format.empty()) {
     check_filters(file, *by_name(options.format), options);
     return by_name(options.format)->read(file, options);
   }
-  refuse_later_format(file.path(), options);
+  refuse_foreign_extension(file, options);
   const std::string extension = extension_of(file.path());
   const Format* format = by_extension(extension);
   if (format == nullptr) format = by_content(file.view());
   if (format == nullptr)
     throw FileError(
         file.path(),
-        fmt::format("{}; name the format with --format: {}",
+        fmt::format("{}; name the format with --input-format: {}",
                     extension.empty() ? std::string("a name without an extension does not tell the format")
                                       : "unknown extension " + extension,
                     readable()));
@@ -170,8 +184,7 @@ SourceData read_bytes(const FileBytes& file, const ReadOptions& options) {
 
 SourceData read_data(const std::string& path, const ReadOptions& options) {
   check_format_name(options);
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored)) refuse_later_format(path, options);  // not read first
+  refuse_foreign_beginning(path);
   FileBytes file;
   try {
     file = load_file(path);

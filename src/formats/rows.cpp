@@ -1,6 +1,7 @@
 // Rows of points: a blank line ends a row.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "formats/point_text.h"
@@ -16,6 +17,7 @@ void spread_pole(PointRows& rows, bool first, std::vector<std::string>& notes) {
   const Index count = rows.row_start[beside + 1] - rows.row_start[beside];
   if (count < 2) return;
   const Index at = rows.row_start[row];
+  if (std::isnan(rows.xyz[3 * at + 2])) return;  // a hole
   const std::vector<double> point(rows.xyz.begin() + 3 * at, rows.xyz.begin() + 3 * at + 3);
   for (Index k = 1; k < count; ++k) rows.xyz.insert(rows.xyz.begin() + 3 * at, point.begin(), point.end());
   rows.line.insert(rows.line.begin() + at, static_cast<std::size_t>(count - 1), Index{rows.line[at]});
@@ -39,10 +41,14 @@ SourceData rows_of(const FileBytes& file, PointText&& points) {
   rows.row_start = std::move(points.group_start);
   rows.row_start.push_back(rows.size());
   rows.line = std::move(points.table.line);
-  std::vector<std::string> notes;
-  spread_pole(rows, true, notes);
-  spread_pole(rows, false, notes);
-  return {file.path(), "rows", std::move(rows), std::move(notes)};
+  SourceData data{.path = file.path(), .format = "rows", .content = PointRows{}};
+  data.notes = std::move(points.notes);
+  data.columns = std::move(points.told);
+  data.columns_from = std::move(points.columns_from);
+  spread_pole(rows, true, data.notes);
+  spread_pole(rows, false, data.notes);
+  data.content = std::move(rows);
+  return data;
 }
 
 SourceData read_rows(const FileBytes& file, const ReadOptions& options) {

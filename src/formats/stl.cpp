@@ -127,7 +127,7 @@ SourceData read_binary(const FileBytes& file) {
     }
     builder.add_face(corners, 0, builder.vertex_count());
   }
-  return {file.path(), "stl", builder.finish(), std::move(notes)};
+  return {.path = file.path(), .format = "stl", .content = builder.finish(), .notes = std::move(notes)};
 }
 
 /// Words of a text parted by blanks and line ends, without comments.
@@ -218,7 +218,7 @@ class TextReader {
       notes.push_back(fmt::format("line {}: {} is no word of an STL file: left out{}", left_out_line_,
                                   in_quotes(left_out_word_),
                                   left_out_ == 1 ? "" : fmt::format(", like {} more", left_out_ - 1)));
-    return {file_.path(), "stl", builder_.finish(), std::move(notes)};
+    return {.path = file_.path(), .format = "stl", .content = builder_.finish(), .notes = std::move(notes)};
   }
 
  private:

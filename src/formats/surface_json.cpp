@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/file_bytes.h"
+#include "formats/foreign.h"
 #include "formats/json_document.h"
 #include "formats/number.h"
 #include "formats/surface_net.h"
@@ -200,6 +201,7 @@ SurfaceDocument surface_from_json(std::string_view text, const std::string& path
 
 SurfaceDocument read_surface(const std::string& path) {
   const FileBytes file = load_file(path);
+  refuse_foreign(file);
   return surface_from_json(file.view(), path);
 }
 

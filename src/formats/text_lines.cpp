@@ -26,7 +26,9 @@ LineReader::LineReader(std::string_view text) : rest_(text) {
 bool LineReader::next(TextLine& line) {
   if (rest_.empty()) return false;
   const std::size_t end = rest_.find(end_);
-  line.text = trimmed(rest_.substr(0, end));
+  line.whole = rest_.substr(0, end);
+  while (line.whole.ends_with('\r')) line.whole.remove_suffix(1);
+  line.text = trimmed(line.whole);
   line.number = ++number_;
   rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
   return true;
@@ -43,12 +45,16 @@ Index count_numbers(std::string_view text) {
   return count;
 }
 
+std::string_view without_end_mark(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(std::string_view("\0\x1A\n\r \t\f\v", 8));
+  return text.substr(
+      0, text.find_first_of(std::string_view("\0\x1A", 2), last == std::string_view::npos ? 0 : last + 1));
+}
+
 std::string_view text_of(const FileBytes& file) {
-  std::string_view text = file.view();
+  std::string_view text = without_end_mark(file.view());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw FileError(file.path(), "is UTF-16 text; save it as UTF-8");
-  text =
-      text.substr(0, text.find_last_not_of(std::string_view("\0\x1A", 2)) + 1);  // padding, a DOS file's end
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos)
     throw FileError(file.path(), "is not a text file (byte " + std::to_string(zero) + " is zero)");

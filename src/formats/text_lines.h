@@ -23,7 +23,8 @@ std::string lower_case(std::string_view text);
 /// One line without its end; blanks at both ends are left out.
 struct TextLine {
   std::string_view text;
-  Index number = 0;  ///< from 1
+  Index number = 0;          ///< from 1
+  std::string_view whole{};  ///< with the blanks at its ends
 };
 
 /// Lines of a text that end with LF, CR LF or (where the text has no LF at all) CR.
@@ -44,7 +45,10 @@ class LineReader {
 /// Words of a text, parted by blanks and line ends.
 Index count_numbers(std::string_view text);
 
-/// The text of a file after its byte order mark.
+/// The text before a Ctrl-Z (DOS and CP/M end a text with it) or zero bytes that have nothing but padding behind them.
+std::string_view without_end_mark(std::string_view text);
+
+/// The text of a file after its byte order mark, and before a Ctrl-Z or zero bytes at its end.
 /// \throws FileError  not text (a zero byte), or UTF-16
 std::string_view text_of(const FileBytes& file);
 

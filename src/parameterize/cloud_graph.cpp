@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "knotfit/errors.h"
+#include "parameterize/cloud_gaps.h"
 #include "parameterize/delaunay.h"
 namespace knotfit::cloud {
 namespace {
@@ -153,25 +154,41 @@ Mesh join_neighbours(std::span<const double> points, const NeighbourLists& near,
 }
 
 CloudMap map_graph(std::span<const double> points, const NeighbourLists& near,
-                   const std::vector<Vector>& normals, const MeshMapOptions& options,
-                   const Control& control) {
+                   const std::vector<Vector>& normals, const CloudOptions& options, const Control& control) {
   const Mesh joined = join_neighbours(points, near, normals);
   if (joined.faces.empty()) throw InvalidInput("no triangles of their nearest neighbours agree");
   CloudMap cloud;
   cloud.base = CloudBase::graph;
   cloud.points = static_cast<Index>(normals.size());
   cloud.mesh = joined;
-  // Counted before the work of a map.
-  const RepairedMesh largest = repair(joined, {.largest_part = true});
-  const double share = static_cast<double>(largest.mesh.vertex_count()) / static_cast<double>(cloud.points);
+  // Looked at before the work of a map.
+  const RepairedMesh largest = repair(joined, {.largest_part = true, .fill_holes = true});
+  const Index joined_points = static_cast<Index>(largest.kept.size()) - std::ranges::count(largest.kept, -1);
+  const double share = static_cast<double>(joined_points) / static_cast<double>(cloud.points);
   if (share < kLeastShare)
     throw InvalidInput(
         fmt::format("their nearest neighbours join only {:.3g} % of them to one sheet", 100 * share));
+  if (!options.fill_holes) {
+    CloudMap open;
+    open.base = CloudBase::graph;
+    open.points = cloud.points;
+    open.mesh = largest.mesh;
+    std::vector<char> kept(normals.size(), 0);
+    for (const Index k : largest.kept)
+      if (k >= 0) kept[k] = 1;
+    open.openings = cloud_openings(open.mesh, loose_points(points, kept));
+    require_no_openings(open);
+  }
   try {
-    map_outline(cloud, options, control);
+    map_outline(cloud, options.map, control);
   } catch (const InvalidInput& e) {
+    // Without the options that repair a mesh of a file.
+    const std::string_view what = e.what();
     throw InvalidInput(
-        fmt::format("the mesh of their nearest neighbours is no sheet with one outline: {}", e.what()));
+        fmt::format("the mesh of their nearest neighbours is no sheet with one outline: {}; --base plane or "
+                    "cylinder lays the "
+                    "points over a base",
+                    what.substr(0, what.find("; --"))));
   }
   return cloud;
 }

@@ -16,7 +16,8 @@ Mesh join_neighbours(std::span<const double> points, const NeighbourLists& near,
 
 /// Its largest part, holes closed by virtual faces, mapped by parameterize_mesh().
 /// \throws InvalidInput  there is no part that is a disk with most of the points: why
+/// \throws OpenSheet     it has openings, and they are not to be filled
 CloudMap map_graph(std::span<const double> points, const NeighbourLists& near,
-                   const std::vector<Vector>& normals, const MeshMapOptions& options, const Control& control);
+                   const std::vector<Vector>& normals, const CloudOptions& options, const Control& control);
 
 }  // namespace knotfit::cloud

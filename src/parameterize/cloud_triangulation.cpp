@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "knotfit/errors.h"
+#include "parameterize/cloud_gaps.h"
 #include "parameterize/cloud_neighbours.h"
 #include "parameterize/delaunay.h"
 namespace knotfit::cloud {
@@ -134,7 +136,15 @@ CloudMap triangulate_on(const Grid& grid, std::span<const double> points, std::s
   // Where most of the square is gaps, the measure of a gap is none: points in lines far apart.
   if (2 * std::count(bridge.begin(), bridge.end(), 1) > static_cast<Index>(bridge.size()))
     bridge.assign(bridge.size(), 0);
-  if (every_point) keep_every_point(t, places, bridge);
+  const Spacing circles(t.triangle, circle_radii(t.triangle, places, 2), n);
+  std::vector<double> spacing(static_cast<std::size_t>(n), 0);
+  if (every_point) {
+    keep_every_point(t, places, bridge);
+  } else {
+    parallel_for(n, [&](Index k) { spacing[k] = circles.at(static_cast<std::int32_t>(k)); });
+    const std::vector<char> over = over_openings(t, places, circles, spacing);
+    for (std::size_t f = 0; f < over.size(); ++f) bridge[f] |= over[f];
+  }
   const std::vector<char> gone = outside(t, bridge, places);
   CloudMap cloud;
   cloud.points = n;
@@ -163,9 +173,13 @@ CloudMap triangulate_on(const Grid& grid, std::span<const double> points, std::s
       if (real[k] != 0 && d < least) least = d, cloud.map.corners[corner] = k;
     }
   }
-  for (const auto& f : cloud.mesh.faces)
-    cloud.covered +=
-        static_cast<double>(area(cells[f[0]], cells[f[1]], cells[f[2]])) / 2 / grid.steps[0] / grid.steps[1];
+  cloud.openings = cloud_openings(cloud.mesh, loose_points(points, real));
+  measure_openings(cloud.openings, cloud.mesh, cloud.map.uv);
+  cloud.covered = covered_share(cloud.mesh, cloud.map.uv, cloud.openings);
+  cloud.outlined = covered_share(cloud.mesh, cloud.map.uv, {});
+  if (!every_point)
+    cloud.bare = bare_share(places, spacing, real, {grid.box.low[0], grid.box.low[1]},
+                            {grid.box.high[0], grid.box.high[1]});
   cloud.map.quality = measure_map(cloud.mesh, cloud.map.uv);
   return cloud;
 }

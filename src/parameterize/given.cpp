@@ -37,7 +37,7 @@ ParameterizedPoints parameterize_given(const PointTable& table, bool rescale) {
   if (table.u.empty())
     throw InvalidInput("no u, v columns: the points have no parameters; name them with --columns");
   if (!rescale) check_inside(table);
-  parameterize::check_plane(table.u, table.v, "u", "v");
+  parameterize::check_plane(table.u, table.v, "u", "v", table.line);
 
   ParameterizedPoints points;
   if (rescale) {

@@ -63,7 +63,7 @@ ParameterizedPoints parameterize_height_field(const PointTable& table) {
   if (table.x.empty())
     throw InvalidInput(
         "--height-field fits z over (x, y), and there are no x and y columns; name them with --columns");
-  parameterize::check_plane(table.x, table.y, "x", "y");
+  parameterize::check_plane(table.x, table.y, "x", "y", table.line);
   const parameterize::Range x = parameterize::range_of(table.x, "x"),
                             y = parameterize::range_of(table.y, "y");
   ParameterizedPoints points;

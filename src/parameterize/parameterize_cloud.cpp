@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place_text.h"
 #include "knotfit/errors.h"
 #include "parameterize/cloud_base.h"
+#include "parameterize/cloud_gaps.h"
 #include "parameterize/cloud_graph.h"
 #include "parameterize/cloud_neighbours.h"
 #include "parameterize/cloud_triangulation.h"
 #include "parameterize/row_triangulation.h"
+#include "parameterize/table_checks.h"
 namespace knotfit {
 namespace {
 
@@ -18,6 +21,9 @@ using cloud::BasePlaces;
 using cloud::NeighbourLists;
 using cloud::Vector;
 
+constexpr double kMostBare = 0.05;  // of the square, without a point near
+constexpr double kTube = 0.1;       // of the radius, RMS: points of a tube are at most so far from a cylinder
+constexpr double kTurn = 5.2;       // radians of it that they take, at least
 constexpr Index kMostMapped = 100000;  // points whose outline is mapped unasked: a minute of work
 
 Index count_of(std::span<const double> points) {
@@ -66,6 +72,35 @@ CloudMap outlined(CloudMap cloud, const MeshMapOptions& options, const Control& 
   return mapped;
 }
 
+/// What else there is for a cloud with openings.
+std::string other_ways(const CloudMap& cloud) {
+  if (cloud.base == CloudBase::plane && std::abs(cloud.axis[2]) > 0.9)
+    return "; --height-field fits z over x, y and leaves them as they are";
+  if (cloud.base != CloudBase::graph) return "";
+  std::vector<double> points;
+  for (Index k = 0; k < cloud.mesh.vertex_count(); ++k)
+    if (cloud.mesh.vertex_source.empty() || cloud.mesh.vertex_source[k] >= 0)
+      points.insert(points.end(), cloud.mesh.vertex(k), cloud.mesh.vertex(k) + 3);
+  const auto n = static_cast<Index>(points.size()) / 3;
+  const NeighbourLists near =
+      cloud::nearest_neighbours(points, 3, static_cast<int>(std::min<Index>(16, n - 1)));
+  try {
+    const BasePlaces round = cloud::project_to_cylinder(points, cloud::agreeing_normals(points, near));
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t k = 0; k < round.at.size(); k += 2)
+      low = std::min(low, round.at[k]), high = std::max(high, round.at[k]);
+    if (round.scatter < kTube * round.radius && high - low > kTurn * round.radius)
+      return fmt::format(
+          "; --base cylinder unrolls them around the axis that they surround, of radius {:.4g} about "
+          "({:.3g}, {:.3g}, "
+          "{:.3g})",
+          round.radius, round.axis[0], round.axis[1], round.axis[2]);
+  } catch (const InvalidInput&) {
+    // No cylinder.
+  }
+  return "";
+}
+
 Index count_normals(std::span<const double> normals) {
   Index count = 0;
   for (std::size_t k = 0; k + 2 < normals.size(); k += 3)
@@ -102,6 +137,7 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
   if (options.neighbours < 6 || options.neighbours > 64)
     throw InvalidInput(fmt::format("{} neighbours of a point; there are 6 to 64", options.neighbours));
   check_normals(options.normals, n);
+  parameterize::check_strays(points, 3, {});
   const CloudBase base = options.base;
   if (base == CloudBase::given || base == CloudBase::surface)
     throw InvalidInput("a base surface is given to another function, and so are parameters");
@@ -120,20 +156,26 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
   if (base == CloudBase::cylinder) {
     BasePlaces places = cloud::project_to_cylinder(points, normals);
     cloud::turn_to_normals(places, points, options.normals);
-    return counted(over(CloudBase::cylinder, places, points));
+    CloudMap map = over(CloudBase::cylinder, places, points);
+    if (!options.fill_holes) require_no_openings(map);
+    return counted(std::move(map));
   }
   const double folded = base == CloudBase::graph ? 0 : folded_share(normals, plane.axis);
   if (base == CloudBase::plane || (base == CloudBase::automatic && folded <= options.most_folded)) {
     CloudMap map = over(CloudBase::plane, plane, points);
     map.folded = folded;
-    return counted(base == CloudBase::automatic && map.covered < options.least_covered
-                       ? outlined(std::move(map), options.map, control)
-                       : map);
+    if (!options.fill_holes && !map.openings.empty()) require_no_openings(map);
+    if (base == CloudBase::automatic && map.outlined < options.least_covered)
+      map = outlined(std::move(map), options.map, control);
+    if (!options.fill_holes) require_no_openings(map);
+    return counted(std::move(map));
   }
   try {
-    CloudMap map = cloud::map_graph(points, near, normals, options.map, control);
+    CloudMap map = cloud::map_graph(points, near, normals, options, control);
     map.folded = folded;
     return counted(std::move(map));
+  } catch (const cloud::OpenSheet&) {
+    throw;
   } catch (const InvalidInput& e) {
     if (base == CloudBase::graph) throw;
     throw InvalidInput(
@@ -142,6 +184,22 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
                     "--base cylinder around an axis",
                     100 * folded, e.what()));
   }
+}
+
+void require_no_openings(const CloudMap& cloud) {
+  if (!cloud.openings.empty()) {
+    const bool one = cloud.openings.size() == 1;
+    throw cloud::OpenSheet(
+        fmt::format("the points leave {}; --fill-holes closes {} by triangles that are no data: the surface "
+                    "is free there{}",
+                    describe(cloud.openings), one ? "it" : "them", other_ways(cloud)));
+  }
+  if (cloud.bare > kMostBare)
+    throw cloud::OpenSheet(
+        fmt::format("{:.2g} % of the square would be without data; --fill-holes leaves the surface free "
+                    "there, --base graph "
+                    "lays the outline of the points along the sides of the square",
+                    100 * cloud.bare));
 }
 
 void map_outline(CloudMap& cloud, const MeshMapOptions& options, const Control& control) {
@@ -155,10 +213,19 @@ void map_outline(CloudMap& cloud, const MeshMapOptions& options, const Control& 
   require_disk(repaired.mesh);
   repaired.mesh.vertex_line = std::move(line);
   MeshMap map = parameterize_mesh(repaired.mesh, options, control);
+  std::vector<char> kept(static_cast<std::size_t>(cloud.mesh.vertex_count()), 0);
+  for (const Index k : repaired.kept)
+    if (k >= 0) kept[k] = 1;
+  const std::vector<double> loose = cloud::loose_points(cloud.mesh.vertices, kept);
   cloud.mesh = std::move(repaired.mesh);
   cloud.map = std::move(map);
   cloud.lone = cloud.points - cloud.coincident - points;
-  cloud.covered = 1;
+  cloud.openings = cloud::cloud_openings(cloud.mesh, loose);
+  measure_openings(cloud.openings, cloud.mesh, cloud.map.uv);
+  cloud.covered = covered_share(cloud.mesh, cloud.map.uv, cloud.openings);
+  cloud.outlined = 1;
+  cloud.bare = 0;
+  for (const Opening& o : cloud.openings) cloud.bare += o.share_of_square;
   cloud.mapped = true;
 }
 
@@ -187,10 +254,11 @@ std::string describe(const CloudMap& c) {
       break;
     case CloudBase::cylinder:
       text = fmt::format(
-          "cylinder of radius {:.6g} around ({:.4g}, {:.4g}, {:.4g}) through ({:.6g}, {:.6g}, {:.6g}), "
+          "cylinder of radius {:.6g} around ({:.4g}, {:.4g}, {:.4g}) through ({}, {}, {}), "
           "points {:.4g} "
           "RMS off it",
-          c.radius, c.axis[0], c.axis[1], c.axis[2], c.centre[0], c.centre[1], c.centre[2], c.scatter);
+          c.radius, c.axis[0], c.axis[1], c.axis[2], place_text(c.centre[0]), place_text(c.centre[1]),
+          place_text(c.centre[2]), c.scatter);
       break;
     case CloudBase::surface:
       text = fmt::format("surface given, points {:.4g} RMS off it", c.scatter);
@@ -210,6 +278,9 @@ std::string describe(const CloudMap& c) {
   if (c.covered < 0.99)
     text += fmt::format("; {:.2g} % of the square holds no data, and the surface is free there",
                         100 * (1 - c.covered));
+  if (!c.openings.empty())
+    text += fmt::format("; {} opening{} closed by triangles that are no data", c.openings.size(),
+                        c.openings.size() == 1 ? "" : "s");
   if (c.coincident > 0)
     text += fmt::format("; {} points left out, at the parameters of others", c.coincident);
   for (const Index r : c.stray_rows)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/median.h"
+#include "parameterize/cloud_gaps.h"
 #include "parameterize/row_parameters.h"
 namespace knotfit::cloud {
 namespace {
@@ -137,7 +138,10 @@ CloudMap triangulate_rows(std::span<const double> points, std::span<const double
   cloud.lone = cloud.points - cloud.coincident - std::count(real.begin(), real.end(), 1);
   cloud.map.uv.assign(uv.begin(), uv.end());
   cloud.map.corners = {rows.front().front(), rows.front().back(), rows.back().back(), rows.back().front()};
-  cloud.covered = 1;
+  cloud.openings = cloud_openings(mesh, loose_points(points, real));
+  measure_openings(cloud.openings, mesh, cloud.map.uv);
+  cloud.covered = covered_share(mesh, cloud.map.uv, cloud.openings);
+  cloud.outlined = 1;
   cloud.map.quality = measure_map(mesh, cloud.map.uv);
   return cloud;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/place_text.h"
+#include "data/strays.h"
 #include "knotfit/errors.h"
 namespace knotfit::parameterize {
 namespace {
@@ -72,8 +74,22 @@ Range range_of(const std::vector<double>& column, const char* name) {
   return {*low, *high};
 }
 
+void check_strays(std::span<const double> values, int dimension, const std::vector<Index>& line) {
+  const std::vector<Index> strays = far_strays(values, dimension);
+  if (strays.empty()) return;
+  const double* first = values.data() + strays.front() * dimension;
+  std::string place;
+  for (int d = 0; d < dimension; ++d) place += (d > 0 ? ", " : "") + place_text(first[d]);
+  throw InvalidInput(
+      fmt::format("{}: {}({}) stands more than 1000 times as far away as the farthest of the others: a "
+                  "stray; leave {} out of the "
+                  "file, or name a number that stands for missing data with --nodata",
+                  point_names(line, strays), strays.size() == 1 ? "" : "each of these, such as ", place,
+                  strays.size() == 1 ? "it" : "them"));
+}
+
 void check_plane(const std::vector<double>& a, const std::vector<double>& b, const char* name_a,
-                 const char* name_b) {
+                 const char* name_b, const std::vector<Index>& lines) {
   const Range ra = range_of(a, name_a), rb = range_of(b, name_b);
   const Index n = static_cast<Index>(a.size());
   const double wa = ra.high - ra.low, wb = rb.high - rb.low;
@@ -84,6 +100,10 @@ void check_plane(const std::vector<double>& a, const std::vector<double>& b, con
       fmt::format("they lie on one straight line in ({}, {}) and span no surface", name_a, name_b);
   if (wa == 0) throw InvalidInput(fmt::format("all {} points have {} = {}: {}", n, name_a, ra.low, line));
   if (wb == 0) throw InvalidInput(fmt::format("all {} points have {} = {}: {}", n, name_b, rb.low, line));
+  std::vector<double> both;
+  both.reserve(2 * a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) both.insert(both.end(), {a[k], b[k]});
+  check_strays(both, 2, lines);
   // The line through two points far apart: the farthest from the first, and the farthest from that.
   auto at = [&](Index k) { return std::pair((a[k] - ra.low) / wa, (b[k] - rb.low) / wb); };
   auto farthest = [&](Index from) {

@@ -24,9 +24,14 @@ struct Range {
 /// \throws InvalidInput  the range is beyond what a double can hold
 Range range_of(const std::vector<double>& column, const char* name);
 
+/// \param values  n x dimension
+/// \param line  of each point in its file; empty: its number is told
+/// \throws InvalidInput  some points stand so far from the others that these look like one place; names them
+void check_strays(std::span<const double> values, int dimension, const std::vector<Index>& line);
+
 /// \throws InvalidInput  all points lie on one straight line in the plane of their two columns: their
-///   distance from it is below 1e-5 of the box (files of six digits round by that much), or a range is empty
+///   distance from it is below 1e-5 of the box (files of six digits round by that much), or a range is empty; a stray
 void check_plane(const std::vector<double>& a, const std::vector<double>& b, const char* name_a,
-                 const char* name_b);
+                 const char* name_b, const std::vector<Index>& line);
 
 }  // namespace knotfit::parameterize

@@ -66,6 +66,7 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
   chosen.metric = std::move(found.metric);
   chosen.status = found.status;
   chosen.error = found.error;
+  chosen.swings = found.swings;
   chosen.tried = std::move(found.tried);
   chosen.fits = found.fits;
   chosen.fill_points = found.fill_points;
@@ -84,6 +85,7 @@ bool better(const Chosen& a, const Chosen& b) {
   const bool ra = a.status == Status::reached, rb = b.status == Status::reached;
   if (ra != rb) return ra;
   if (ra && size_of(a) != size_of(b)) return size_of(a) < size_of(b);
+  if (a.swings != b.swings) return !a.swings;
   return a.error < b.error;
 }
 

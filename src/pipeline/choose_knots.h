@@ -13,7 +13,8 @@ struct Chosen {
   InteriorKnots knots, metric;
   int degree_u = 3, degree_v = 3;
   Status status = Status::fixed_size;
-  double error = 0;  ///< the error that counts, where a search or a comparison of degrees measured it
+  bool swings = false;  ///< the best surface found does
+  double error = 0;     ///< the error that counts, where a search or a comparison of degrees measured it
   double criterion = 0;
   std::vector<SizeTried> tried;
   long fits = 0;

@@ -1,19 +1,13 @@
-// Parameters that cannot do: most points in a small part of the square, far closer there than in space.
+// Parameters that cannot do: points far closer in them than on the surface.
 #pragma once
 #include "knotfit/points.h"
 namespace knotfit {
 
-struct Crowding {
-  double share =
-      1;  ///< least share of the square's cells (about four points each, were they even) that holds 90 % of the points
-  double stretch =
-      1;  ///< distance in space over distance in the parameters, 90th over 10th percentile of the points
-  /// Nine points in ten crowd a fifth of the square, and the surface stretches ten times more elsewhere: a net that resolves them
-  /// there is far too fine for the rest.
-  bool crowded() const { return share < 0.2 && stretch > 10; }
-};
-
+/// Share of the points whose distance to their fourth neighbour is below a quarter of the median in the parameters and above half of
+/// the median in space: parts of the surface that the parameters squeeze. A net that resolves them is far too fine for the rest. (Mean
+/// value maps of scans with steep parts 3 to 6 %; even data, clusters, steps and ridges below 0.1 %.)
 /// \param points  valid
-Crowding measure_crowding(const ParameterizedPoints& points);
+double crowded_share(const ParameterizedPoints& points);
+inline constexpr double kCrowded = 0.01;  ///< from here on a user is told
 
 }  // namespace knotfit

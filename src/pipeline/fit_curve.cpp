@@ -10,6 +10,7 @@
 #include "correct/curve_feet.h"
 #include "fit/curve_problem.h"
 #include "knotfit/errors.h"
+#include "pipeline/curve_notes.h"
 #include "pipeline/frame.h"
 #include "pipeline/requirements.h"
 #include "place/periodic.h"
@@ -346,6 +347,7 @@ CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& optio
                   : searched && status != Status::reached ? status
                                                           : Status::not_reached;
   result.message = message_of(result);
+  for (std::string& note : curve_notes(result, points)) result.notes.push_back(std::move(note));
   return result;
 }
 

@@ -14,14 +14,41 @@
 namespace knotfit {
 namespace {
 
+/// The error that the tolerance is of, of the surface's distances to the mesh; a share between those that are known by the
+/// next larger one.
+double measured_back(const DistanceSummary& back, const Tolerance& asked) {
+  if (asked.measure == ErrorMeasure::rms) return back.rms;
+  if (asked.measure == ErrorMeasure::max || asked.share > 0.995) return back.max;
+  return asked.share > 0.99 ? back.p995 : asked.share > 0.95 ? back.p99 : back.p95;
+}
+
+/// First of the notes: a surface that strays from the mesh between the vertices.
+void note_straying(const MeshFit& fit, std::vector<std::string>& notes) {
+  if (fit.to_mesh.count == 0 || !(fit.result.tolerance > 0)) return;
+  const double back = measured_back(fit.to_mesh, fit.result.asked);
+  if (!(back > 2 * fit.result.tolerance)) return;
+  const double* p = fit.to_mesh.worst_point;
+  notes.insert(
+      notes.begin(),
+      fmt::format(
+          "between the vertices the surface strays from the mesh by {:.3g}, {:.3g} tolerances (largest "
+          "distance {:.3g} at u = {:.4g}, v = {:.4g}, near ({:.8g}, {:.8g}, {:.8g})): more vertices "
+          "there, or more control points, hold it",
+          back, back / fit.result.tolerance, fit.to_mesh.max, fit.to_mesh.worst_u, fit.to_mesh.worst_v, p[0],
+          p[1], p[2]));
+}
+
 /// What a user should know of the corrected surface.
 void add_notes(MeshFit& fit) {
   const FoldReport& folds = fit.correction.folds;
   std::vector<std::string>& notes = fit.result.notes;
   if (folds_over(folds)) {
+    // The number that decided.
     std::string note =
-        fmt::format("the surface folds over {:.2g} % of the square (against single triangles {:.2g} %)",
-                    100 * folds.blurred, 100 * folds.raw);
+        folds.blurred > kMostBlurredFold
+            ? fmt::format("the surface folds over {:.2g} % of the square", 100 * folds.blurred)
+            : fmt::format("the surface folds in pleats narrower than a span over {:.2g} % of the square",
+                          100 * folds.pleats);
     if (!folds.places.empty())
       note += fmt::format(", most at u = {:.4g}, v = {:.4g}", folds.places[0].u, folds.places[0].v);
     notes.push_back(note + ": more control points, or a looser tolerance, leave less of it");
@@ -33,8 +60,15 @@ void add_notes(MeshFit& fit) {
         "between the vertices the surface is farther from the mesh (RMS {:.3g}, max {:.3g}) than the "
         "vertices are from it: the facets are coarse for this surface",
         fit.to_mesh.rms, fit.to_mesh.max));
+  if (fit.off_foot > 0)
+    notes.push_back(
+        fmt::format("{} point{} not at the foot points, where triangles would turn over: up to {:.3g} off at "
+                    "the parameters; errors "
+                    "are distances all the same",
+                    fit.off_foot, fit.off_foot == 1 ? " is" : "s are", fit.off_foot_error));
   if (fit.correction.status == CorrectionStatus::no_gain)
     notes.push_back("no round of the correction came nearer than the plain fit, which is kept");
+  note_straying(fit, notes);
 }
 
 /// The distances in place of the errors at the map's parameters. \return false where the check fails
@@ -52,8 +86,16 @@ bool take_distances(MeshFit& fit, const Mesh& mesh) {
     r.errors.push_back(std::abs(c.signed_distances[k]));
     std::copy_n(&c.foot_points[2 * k], 2, &feet.uv[2 * at++]);
   }
-  fit.at_parameters = summarize_errors(recheck_errors(r.surface, fit.points), fit.points);
+  const std::vector<double> at_parameters = recheck_errors(r.surface, fit.points);
+  fit.at_parameters = summarize_errors(at_parameters, fit.points);
+  fit.foot_uv = feet.uv;
   r.error = summarize_errors(r.errors, feet);
+  const double beyond = r.tolerance > 0 ? r.tolerance : r.error.max;
+  for (std::size_t k = 0; k < at_parameters.size(); ++k)
+    if (at_parameters[k] > std::max(beyond, 2 * r.errors[k])) {
+      ++fit.off_foot;
+      fit.off_foot_error = std::max(fit.off_foot_error, at_parameters[k]);
+    }
   // De Boor's algorithm at the foot points must find the same distances.
   const std::vector<double> rechecked = recheck_errors(r.surface, feet);
   r.recheck_difference = 0;

@@ -61,7 +61,8 @@ bool better(const FitResult& a, const FitResult& b, bool fixed) {
   if (a.surface.empty() || b.surface.empty()) return !a.surface.empty();
   if (fixed) return a.error.rms < b.error.rms;
   if (a.reached != b.reached) return a.reached;
-  return a.reached ? size_of(a) < size_of(b) : a.measured < b.measured;
+  if (a.reached) return size_of(a) < size_of(b);
+  return a.swings.swings != b.swings.swings ? !a.swings.swings : a.measured < b.measured;
 }
 
 std::string formula(Shear s) {

@@ -58,6 +58,14 @@ bool check(FitResult& result, const ParameterizedPoints& points, const std::vect
   return sound && result.recheck_difference <= rounding;
 }
 
+/// What is left of the time for a look between the points, which a cut search is given a few seconds for.
+Control last_look(const Control& control, std::chrono::steady_clock::time_point start) {
+  constexpr double kLeast = 5;
+  Control left = time_left(control, start);
+  if (left.time_limit > 0) left.time_limit = std::max(left.time_limit, kLeast);
+  return left;
+}
+
 /// Progress in the data's unit, as the result has it.
 Control outside(const Control& control, double scale) {
   Control scaled = control;
@@ -166,8 +174,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
     throw InvalidInput("give a tolerance, a number of control points, or knots");
   }
   note_duplicates(points, result.notes);
-  const Crowding crowding =
-      points.dimension == 3 && !points.height_field ? measure_crowding(points) : Crowding{};
+  const double crowded = points.dimension == 3 && !points.height_field ? crowded_share(points) : 0;
 
   const ParameterizedPoints inside = frame.inside(points);
   // Undoing the frame moves control points by up to an ulp of the data: leave room for it.
@@ -231,23 +238,23 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   if (result.empty_cells > 0)
     result.notes.push_back(fmt::format(
         "{} knot cells hold no point: the smoothing floor shapes the surface there", result.empty_cells));
-  if (chosen.method == "optimal" && !control.stop.stop_requested())
-    compare(result, problem, inside, tolerance, frame.scale());
+  const bool over = control.stop.stop_requested() || out_of_time(control, start);
+  if (chosen.method == "optimal" && !over) compare(result, problem, inside, tolerance, frame.scale());
   if (options.between && !control.stop.stop_requested()) {
     const double unit =
         options.tolerance ? result.tolerance : std::max(result.error.max, 16 * frame.rounding());
     if (unit > 0)
-      result.between = between_points(inside_surface, inside, unit, chosen.metric, frame.scale(), control);
+      result.between = between_points(inside_surface, inside, unit, chosen.metric, frame.scale(),
+                                      last_look(control, start));
   }
-  if (crowding.crowded() &&
-      (result.status != Status::reached || result.surface.control_point_count() * 10 > points.size()))
+  if (crowded > kCrowded)
     result.notes.insert(
         result.notes.begin(),
         fmt::format(
-            "nine points in ten crowd {:.2g} % of the parameter square, and the surface stretches {:.2g} "
-            "times more in the rest: these parameters need many control points; --correct moves them "
-            "with the surface, which then needs far fewer",
-            100 * crowding.share, crowding.stretch));
+            "{:.2g} % of the points stand far closer in the parameters than on the surface: parameters that "
+            "squeeze parts of it need many control points; --correct moves them with the surface, which "
+            "then needs far fewer",
+            100 * crowded));
   note_swings(result);
   result.message = message_of(result, points.size());
   return result;

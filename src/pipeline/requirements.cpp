@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/strays.h"
 #include "knotfit/errors.h"
 #include "pipeline/frame.h"
 namespace knotfit {
@@ -46,8 +47,14 @@ void check_extent(const ParameterizedPoints& points) {
                        }
                        return std::sqrt(sum);
                      }).first;
-  if (!(off > std::max(8 * rounding, 1e-14 * length)))
+  if (!(off > std::max(8 * rounding, 1e-14 * length))) {
+    if (const std::vector<Index> strays = far_strays(points.values, d); !strays.empty())
+      throw InvalidInput(fmt::format(
+          "{} stands so far from the others that these look like one place from there: a stray; leave it out",
+          points.source.empty() ? fmt::format("point {} (from 1)", strays.front() + 1)
+                                : fmt::format("line {}", points.source[strays.front()])));
     throw InvalidInput("all points lie on one straight line: there is no surface to fit");
+  }
 }
 
 /// Parameters must spread over both directions, or a whole family of surfaces fits alike.

@@ -60,6 +60,10 @@ double Attempts::fit(FitProblem& problem, const InteriorKnots& knots) {
 double Attempts::offer(const FitProblem& problem, double error, bool least_squares) {
   const Index size = problem.control_points();
   const double measured = error;
+  if (measured < nearest_error_) {
+    nearest_error_ = measured;
+    nearest_ = problem.knots();
+  }
   bool good = holds(error);
   const bool smaller = !best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_);
   if (good ? smaller : !best_holds_ && (best_swings_ || error < best_error_) && std::isfinite(error)) {
@@ -168,6 +172,7 @@ RefineResult Attempts::finish(Status unmet) const {
   result.surface = surface_;
   result.least_squares = least_squares_;
   result.swings = best_swings_;
+  result.nearest = nearest_;
   result.holds = best_holds_;
   result.error = best_measured_;
   result.fits = fits();
@@ -199,19 +204,16 @@ RefineResult better_of(RefineResult a, RefineResult b) {
     if (x.swings != y.swings) return !x.swings;
     return x.error < y.error;
   };
-  auto cut = [](const RefineResult& r) {
-    return r.status == Status::stopped || r.status == Status::time_limit;
-  };
-  const Status cut_short = cut(b) ? b.status : cut(a) ? a.status : Status::not_run;
   RefineResult& best = better(b, a) ? b : a;
   const RefineResult& other = &best == &a ? b : a;
   best.fits += other.fits;
   best.tried.insert(best.tried.end(), other.tried.begin(), other.tried.end());
   if (best.metric == InteriorKnots{}) best.metric = other.metric;
-  if (!best.holds) {
-    if (other.status == Status::swings) best.status = Status::swings;
-    if (cut_short != Status::not_run) best.status = cut_short;
-  }
+  const Status first = a.status, further = b.status;
+  if (!best.holds && other.status == Status::swings) best.status = Status::swings;
+  if (first == Status::time_limit || (further == Status::time_limit && !best.holds))
+    best.status = Status::time_limit;
+  if (first == Status::stopped || further == Status::stopped) best.status = Status::stopped;
   return std::move(best);
 }
 

@@ -1,6 +1,7 @@
 // What every route to a tolerance shares: the best surface so far, budgets, stop and progress.
 #pragma once
 #include <chrono>
+#include <limits>
 #include <string_view>
 
 #include "fit/problem.h"
@@ -68,6 +69,8 @@ class Attempts {
   bool held_but_swings_ = false;  ///< some surface held the tolerance at the points and was refused
   double best_error_;             ///< what counts against others
   double best_measured_ = 0;      ///< at the points
+  InteriorKnots nearest_;         ///< of the least error at the points, whether the surface swings or not
+  double nearest_error_ = std::numeric_limits<double>::infinity();
   Index best_size_ = 0;
   int mends_ = 0;
   long mend_fits_ = 0;
@@ -75,7 +78,8 @@ class Attempts {
 };
 
 /// Of two results the better, with the fits and sizes of both: the one that reached with fewer control points, else one that
-/// does not swing, else the least error. A stop or a time limit that cut either short stays the status where neither reached.
+/// does not swing, else the least error. A stop of either stays the status, and a time limit that cut the first short, or a further route
+/// where neither holds. \param a  of the search itself
 RefineResult better_of(RefineResult a, RefineResult b);
 
 /// The control of a further route: its progress shows the best of an earlier one while that is better.

@@ -104,7 +104,7 @@ RefineResult search_placed(FitProblem& data, const RefineOptions& options, const
   if (!result.swings && result.status != Status::swings) return result;
   if (control.stop.stop_requested() || out_of_time(control, start)) return result;
   RefineResult held = search_with(data, options, time_left(after(result, control), start));
-  return better_of(std::move(result), std::move(held));
+  return better_of(std::move(held), std::move(result));
 }
 
 }  // namespace knotfit

@@ -17,21 +17,30 @@ namespace {
 
 constexpr Index kSwingPlaces = 20000;  // a search asks of every net that would become the best
 
-/// A best surface that swings, held to the data by an energy for errors of its own size: better than none.
+/// Where nothing holds: knots whose surfaces came nearest, held to the data by an energy for errors of their own size, may be nearer
+/// than the best that does not swing by itself.
 void hold(RefineResult& result, const ParameterizedPoints& points, const RefineOptions& options) {
   LeastSquaresOptions fit = search_fits(options);
-  FitProblem problem(points, options.degree_u, options.degree_v, fit);
-  if (!problem.solve(result.knots)) return;
-  fit.energy = make_data_energy(points, std::max(problem.rms(), energy_scale(options.tolerance)));
-  FitProblem held(points, options.degree_u, options.degree_v, fit);
-  result.fits += 2;
-  if (!held.solve(result.knots)) return;
-  const SwingReport report = options.sites->measure(held.surface(), held.errors(), options.tolerance.value);
-  if (report.swings) return;
-  result.surface = held.surface();
-  result.error = held.measured(options.tolerance);
-  result.swings = false;
-  result.least_squares = false;
+  for (const InteriorKnots& knots : {result.nearest, result.knots}) {
+    fit.energy = options.energy;
+    FitProblem problem(points, options.degree_u, options.degree_v, fit);
+    if (!problem.solve(knots)) continue;
+    for (const double times : {1.0, 4.0}) {
+      fit.energy = make_data_energy(points, std::max(times * problem.rms(), energy_scale(options.tolerance)));
+      FitProblem held(points, options.degree_u, options.degree_v, fit);
+      result.fits += 1;
+      if (!held.solve(knots)) continue;
+      const double error = held.measured(options.tolerance);
+      if (!result.swings && !(error < result.error)) break;
+      if (options.sites->measure(held.surface(), held.errors(), options.tolerance.value).swings) continue;
+      result.surface = held.surface();
+      result.knots = knots;
+      result.error = error;
+      result.swings = false;
+      result.least_squares = false;
+      break;
+    }
+  }
 }
 
 }  // namespace
@@ -106,7 +115,7 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
     result = options.method == "optimal" ? search_optimal(problem, whole, control)
                                          : search_placed(problem, whole, control);
   if (result.method.empty()) result.method = options.method;
-  if (result.swings && !result.surface.empty() && !control.stop.stop_requested()) hold(result, points, whole);
+  if (!result.holds && !result.surface.empty() && !control.stop.stop_requested()) hold(result, points, whole);
   return result;
 }
 

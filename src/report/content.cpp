@@ -51,6 +51,7 @@ std::optional<DataBox> data_box(const PictureInput& input) {
 }  // namespace
 
 std::optional<Rgb> Content::colour_at(double u, double v, double z) const {
+  if (openings.inside(u, v)) return std::nullopt;
   switch (colouring) {
     case Colouring::error: {
       const std::optional<double> e = errors.at(u, v);
@@ -79,6 +80,11 @@ Content prepare(const PictureInput& input, int most) {
   c.point_count = input.points ? input.points->size() : 0;
   c.samples = sample_surface(s, c.map, most, data_box(input));
   c.thin = ThinField(input.thin_places, c.domain);
+  for (const auto& t : input.openings)
+    for (const double x : t)
+      if (!std::isfinite(x)) throw InvalidInput("an opening of a picture has a corner that is not finite");
+  c.openings = OpeningField(input.openings, c.domain);
+  c.gaps = !c.openings.empty();
   if (input.signed_errors.empty()) {
     c.colouring = c.samples.height_field ? Colouring::height : Colouring::plain;
     return c;

@@ -21,6 +21,7 @@ struct Content {
   ErrorScale scale;
   ErrorField errors;
   ThinField thin;
+  OpeningField openings;
   bool gaps = false;  ///< somewhere no data is near: drawn grey and hatched
   Index point_count = 0;
   Index worst = -1;  ///< point with the largest |error|
@@ -28,7 +29,7 @@ struct Content {
 
   const ParameterizedPoints& points() const { return *input->points; }
   /// Colour of the surface at (u, v) where its height is z; no colour where errors are shown and
-  /// none is near.
+  /// none is near, and over openings.
   std::optional<Rgb> colour_at(double u, double v, double z) const;
 };
 

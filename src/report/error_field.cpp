@@ -139,4 +139,38 @@ std::vector<Vec2> ThinField::outline() const {
   return ends;
 }
 
+OpeningField::OpeningField(const std::vector<std::array<double, 6>>& triangles, const Domain& domain)
+    : domain_(domain) {
+  if (triangles.empty()) return;
+  inside_.assign(static_cast<std::size_t>(kSize * kSize), 0);
+  for (const auto& t : triangles) {
+    double x[3], y[3];
+    for (int k = 0; k < 3; ++k)
+      x[k] = domain.to_unit_u(t[2 * k]) * kSize, y[k] = domain.to_unit_v(t[2 * k + 1]) * kSize;
+    const auto from = [](const double* a) {
+      return std::clamp<Index>(static_cast<Index>(*std::min_element(a, a + 3)) - 1, 0, kSize - 1);
+    };
+    const auto to = [](const double* a) {
+      return std::clamp<Index>(static_cast<Index>(*std::max_element(a, a + 3)) + 1, 0, kSize - 1);
+    };
+    const double turn = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]) < 0 ? -1 : 1;
+    for (Index i = from(x); i <= to(x); ++i)
+      for (Index j = from(y); j <= to(y); ++j) {
+        const double p = static_cast<double>(i) + 0.5, q = static_cast<double>(j) + 0.5;
+        bool in = true;
+        for (int k = 0; k < 3; ++k) {
+          const int l = (k + 1) % 3;
+          in = in && turn * ((x[l] - x[k]) * (q - y[k]) - (y[l] - y[k]) * (p - x[k])) >= 0;
+        }
+        if (in) inside_[static_cast<std::size_t>(i * kSize + j)] = 1;
+      }
+  }
+}
+
+bool OpeningField::inside(double u, double v) const {
+  if (empty()) return false;
+  return inside_[static_cast<std::size_t>(cell_of(domain_.to_unit_u(u), kSize) * kSize +
+                                          cell_of(domain_.to_unit_v(v), kSize))] != 0;
+}
+
 }  // namespace knotfit::report

@@ -1,5 +1,6 @@
 // Errors of points spread over the parameter domain, and where the data is too thin.
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,21 @@ class ThinField {
   static constexpr double kRadius = 0.026;  // 1.4 mean distances of the 3000 random places tried
   Domain domain_;
   std::vector<double> distance_;
+};
+
+/// Openings of the data, as cells of the unit square.
+class OpeningField {
+ public:
+  OpeningField() = default;
+  /// \param triangles  (u, v) of each corner
+  OpeningField(const std::vector<std::array<double, 6>>& triangles, const Domain& domain);
+  bool empty() const { return inside_.empty(); }
+  bool inside(double u, double v) const;
+
+ private:
+  static constexpr Index kSize = 512;  // cells a direction
+  Domain domain_;
+  std::vector<char> inside_;
 };
 
 }  // namespace knotfit::report

@@ -141,7 +141,7 @@ void draw_heights(Canvas& canvas, const Content& content, const Plane& plane) {
     for (int y = 0; y < height; ++y) {
       const double z =
           values[(static_cast<std::size_t>(x) * height + y) * dimension + (dimension == 1 ? 0 : 2)];
-      image.at(x, height - 1 - y) = premultiplied(*content.colour_at(u[x], v[y], z));
+      image.at(x, height - 1 - y) = premultiplied(content.colour_at(u[x], v[y], z).value_or(kNoData));
     }
   canvas.image(plane.box, image);
 }
@@ -166,6 +166,27 @@ void draw_knot_lines(Canvas& canvas, const Content& content, const Plane& plane,
 }
 
 // Hatch lines are cut where the region ends: no clip path, small files.
+// Grey with stripes, as on the surface.
+void draw_openings(Canvas& canvas, const Content& content, const Plane& plane, double em) {
+  if (content.openings.empty()) return;
+  const Domain& d = content.domain;
+  const double scale = std::min(2.0, std::sqrt(kMostPixels / (plane.box.width * plane.box.height)));
+  const int width = std::max(1, static_cast<int>(plane.box.width * scale)),
+            height = std::max(1, static_cast<int>(plane.box.height * scale));
+  Image image(width, height);
+  const double apart = 0.6 * em * scale;
+  parallel_for(height, [&](Index row) {
+    const double v = d.v1 - (static_cast<double>(row) + 0.5) / height * (d.v1 - d.v0);
+    for (int x = 0; x < width; ++x) {
+      if (!content.openings.inside(d.u0 + (x + 0.5) / width * (d.u1 - d.u0), v)) continue;
+      const double along = (static_cast<double>(x) - static_cast<double>(row)) / apart;
+      const bool stripe = along - std::floor(along) < 0.3;
+      image.at(x, static_cast<int>(row)) = premultiplied(stripe ? mix(kNoData, {1, 1, 1}, 0.65) : kNoData);
+    }
+  });
+  canvas.image(plane.box, image);
+}
+
 void draw_thin(Canvas& canvas, const Content& content, const Plane& plane, double em) {
   if (content.thin.empty()) return;
   const Box& b = plane.box;
@@ -227,9 +248,11 @@ Box draw_parameter_plane(Canvas& canvas, const Content& content, const Box& pane
 
   if (content.point_count > 0) {
     canvas.fill(b, {{1, 1, 1}});
+    draw_openings(canvas, content, plane, em);
     draw_points(canvas, content, plane, em);
   } else {
     draw_heights(canvas, content, plane);
+    draw_openings(canvas, content, plane, em);
   }
   draw_knot_lines(canvas, content, plane, em);
   draw_thin(canvas, content, plane, em);

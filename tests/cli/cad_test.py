@@ -135,6 +135,19 @@ class Written(CadTest):
 
 
 class Read(CadTest):
+    def test_a_dos_file_may_end_with_ctrl_z(self):
+        self.write_points()
+        self.run_tool("fit", "points.csv", "--control-points", "5", "--between", "off", "-q", "-o", "a.step", "-o", "a.igs")
+        for name in ("a.step", "a.igs"):
+            for end in (b"\x1a", b"\r\n\x1a\r\n", b"\x1a\0\0"):
+                (self.folder / f"dos.{name}").write_bytes((self.folder / name).read_bytes() + end)
+                plain, dos = (self.run_json("info", path) for path in (name, f"dos.{name}"))
+                self.assertEqual((dos["knots"], dos["net_bounds"]), (plain["knots"], plain["net_bounds"]))
+
+    def test_other_files_by_the_name_of_one(self):
+        (self.folder / "a.step").write_bytes(b"PK\x03\x04" + bytes(22) + b"\x13\0\0\0" + b"3D/3dmodel.model...")
+        self.refused("info", "a.step", words=["a.step", "3MF", "assimp export"])
+
     def test_eval_and_info(self):
         self.fit("-o", "a.step", "-o", "a.igs")
         wanted = self.run_tool("eval", "s.json", "--grid", "5x4", "--normals").stdout

@@ -87,6 +87,15 @@ class Scans(CloudTest):
 
 
 class Bases(CloudTest):
+    def test_options_that_repair_meshes_are_no_way_out_for_clouds(self):
+        """Points on a regular grid: some three neighbours lie on a line, and --drop-degenerate is for meshes."""
+        self.write("grid.csv", "x,y,z\n" + "".join(f"{i},{j},{0.3 * math.sin(0.5 * i) * math.cos(0.4 * j)}\n"
+                                                   for j in range(7) for i in range(9)))
+        done = self.run_tool("fit", "grid.csv", "--base", "graph", "--control-points", "4", "-q", status=None)
+        self.assertNotIn("--drop-degenerate", done.stderr)
+        self.assertIn((done.returncode, "--base plane" in done.stderr), [(2, True), (0, False)])
+        self.run_tool("fit", "grid.csv", "--base", "plane", "--control-points", "4", "-q")
+
     def tube(self, turn, count=1500):
         return [((1 + 0.05 * wave(u, v)) * math.cos(turn * u), (1 + 0.05 * wave(u, v)) * math.sin(turn * u), 2 * v)
                 for u, v in scattered(count)]

@@ -149,7 +149,7 @@ class Convert(ToolTest):
         self.refused("convert", "terrain.asc", "-o", "terrain.asc", "--force", words=["is the input"])
         self.refused("convert", "terrain.asc", "-o", "missing/a.csv", words=["missing"])
         self.write("cloud.vtp", "<VTKFile>")
-        self.refused("convert", "cloud.vtp", "-o", "a.csv", words=["not supported by this version"])
+        self.refused("convert", "cloud.vtp", "-o", "a.csv", words=["VTK", "meshio convert cloud.vtp cloud.ply"])
         self.assertEqual(self.files(), ["cloud.vtp", "terrain.asc"])
 
 

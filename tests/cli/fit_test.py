@@ -52,14 +52,12 @@ class ExitStatus(ToolTest):
         report = self.run_json("fit", SAMPLES / "face.uv.csv", "--tol", "1%", "--between", "off")
         self.assertEqual(report["status"], "reached")
         self.assertLessEqual(report["control_points"], 950)
-        self.assertTrue(any("knot lines were inserted" in note for note in report["notes"]), report["notes"])
 
     def test_2_for_usage(self):
         self.write_points()
         for arguments, words in [
-            ((), ["subcommand"]),
             (("fit",), ["INPUT"]),
-            (("nonsense",), []),
+            (("nonsense",), ["nonsense", "--help"]),
             (("fit", "points.csv", "--nonsense"), ["--nonsense", "--help"]),
             (("fit", "points.csv", "--tol"), ["--tol"]),
             (("fit", "points.csv", "--rms", "--within", "99%"), ["--rms", "--within"]),
@@ -102,7 +100,7 @@ class ExitStatus(ToolTest):
 
 
 class Report(ToolTest):
-    MEMBERS = ["size", "control_points", "degree", "knots", "error", "correction", "between", "bound", "thin", "tolerance", "measured",
+    MEMBERS = ["size", "control_points", "degree", "knots", "error", "correction", "between", "bound", "thin", "swings", "tolerance", "measured",
                "reached", "status", "message", "method", "condition", "noise", "fits", "least_squares",
                "fill_points", "against_uniform", "against_error_model", "seconds", "peak_memory_bytes",
                "input", "options", "notes", "outputs", "version"]
@@ -394,9 +392,9 @@ class BadInput(ToolTest):
         self.refused("fit", "points.csv", "--control-points", "100x100", words=["600 points", "10000"])
         self.refused("fit", "points.csv", "--control-points", "3x3", words=["at least 4 x 4"])
 
-    def test_a_format_of_a_later_version_says_so(self):
+    def test_a_format_that_is_not_read_names_what_converts_it(self):
         self.write("terrain.tif", "II*")
-        self.refused("fit", "terrain.tif", "--tol", "1%", words=["terrain.tif", "not supported by this version"])
+        self.refused("fit", "terrain.tif", "--tol", "1%", words=["terrain.tif", "GeoTIFF", "gdal_translate"])
 
 
 class Options(ToolTest):

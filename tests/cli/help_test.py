@@ -16,19 +16,26 @@ COMPLETION = SOURCE / "tool" / "completion"
 
 
 def options_of(text):
-    """Long options of a help text: those at the start of its lines."""
-    return set(re.findall(r"^\s+(?:-\w,)?(--[a-z-]+)", text, re.M))
+    """Long options of a help text: those at the start of its lines, by their first names."""
+    return set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", text, re.M))
+
+
+def all_names_of(text):
+    """The same by every long name."""
+    return {name for line in re.findall(r"^  ((?:-\w,)?--[a-z,-]+)", text, re.M) for name in line.split(",")
+            if name.startswith("--")}
 
 
 class Help(ToolTest):
     def help(self, *command):
-        return self.run_tool(*command, "--help").stdout
+        """The help with every option."""
+        return self.run_tool(*command, "--help-all").stdout
 
     def test_version(self):
         self.assertRegex(self.run_tool("--version").stdout, r"^knotfit \d+\.\d+\.\d+\n$")
 
     def test_the_general_help_lists_the_commands_and_the_exit_statuses(self):
-        text = self.help()
+        text = self.run_tool("--help").stdout
         for command in COMMANDS:
             self.assertRegex(text, rf"(?m)^  {command} ")
         self.assertIn("130 stopped", text)
@@ -36,13 +43,67 @@ class Help(ToolTest):
 
     def test_lines_fit_a_wide_terminal(self):
         for command in ([], *[[c] for c in COMMANDS]):
-            for line in self.help(*command).splitlines():
+            for line in self.help(*command).splitlines() + self.run_tool(*command, "--help").stdout.splitlines():
                 self.assertLessEqual(len(line), 110, line)
+
+    def test_the_help_shows_what_most_people_need_and_names_the_rest(self):
+        for command in ("fit", "compare", "fit-curve"):
+            with self.subTest(command=command):
+                short, full = self.run_tool(command, "--help").stdout, self.help(command)
+                shown = options_of(short) - {"--help", "--help-all"}
+                self.assertEqual(len(shown), 15)
+                self.assertLess(shown, options_of(full))
+                more = len(options_of(full) - options_of(short))
+                self.assertIn(f"{more} more options: knotfit {command} --help-all\n", short)
+                self.assertIn(f"  knotfit {command} samples/", short)
+                self.assertNotIn("more options", full)
+        fit = options_of(self.run_tool("fit", "--help").stdout)
+        self.assertLessEqual({"--tol", "--control-points", "--columns", "--height-field", "--output", "--json"}, fit)
+
+    def test_a_short_help_is_the_whole_one(self):
+        for command in ("parameterize", "eval", "distance", "info", "convert", "methods", "formats"):
+            self.assertEqual(self.run_tool(command, "--help").stdout, self.help(command))
+
+    def test_every_option_of_every_command_in_one_text(self):
+        text = self.help()
+        for command in COMMANDS:
+            self.assertIn(self.help(command), text)
+
+    def test_a_bare_call_prints_the_general_help(self):
+        done = self.run_tool()
+        self.assertEqual((done.stdout, done.stderr), (self.run_tool("--help").stdout, ""))
+        self.assertLess(len(done.stdout.splitlines()), 45)
+
+    def test_the_nearest_name_is_named(self):
+        for arguments, words in [
+            (["ftt", "a.csv"], ["'ftt'", "did you mean fit?"]), (["fitcurve"], ["did you mean fit-curve?"]),
+            (["parametrise"], ["did you mean parameterize?"]), (["Info"], ["did you mean info?"]),
+            (["help", "fit"], ["did you mean --help?"]), (["version"], ["did you mean --version?"]),
+            (["points.csv"], ["'points.csv'", "knotfit fit points.csv"]),
+            (["zzzzz"], ["'zzzzz'", "knotfit --help"]),
+            (["fit", "a.csv", "--tolerance", "1%"], ["--tolerance", "did you mean --tol?"]),
+            (["fit", "a.csv", "--tolerance=1%"], ["--tolerance", "did you mean --tol?"]),
+            (["fit", "a.csv", "--control_points", "5"], ["did you mean --control-points?"]),
+            (["fit", "a.csv", "--contol-points", "5"], ["did you mean --control-points?"]),
+            (["fit", "--hieght-field", "a.csv"], ["did you mean --height-field?"]),
+            (["fit", "a.csv", "--format", "csv"], ["--format", "did you mean --input-format?"]),
+            (["fit", "a.csv", "--out", "a.json"], ["did you mean --output?"]),
+            (["info", "a.csv", "--jsn"], ["did you mean --json?"]),
+            (["eval", "a.json", "--tol", "1%"], ["eval has no option --tol", "fit"]),
+            (["fit", "a.csv", "--zzzzzzzz"], ["fit has no option --zzzzzzzz", "--help-all"]),
+            (["--tol", "1%"], ["--tol", "comes after a command", "fit"]),
+            (["--tol", "1%", "fit", "a.csv"], ["--tol", "comes after a command", "fit"]),
+            (["ftt", "fit"], ["'ftt'"]), (["--vresion"], ["did you mean --version?"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.refused(*arguments, words=words)
+        self.assertNotIn("did you mean", self.refused("fit", "a.csv", "--zzzzzzzz"))
+        self.assertNotIn("did you mean", self.refused("zzzzz"))
 
     def test_every_option_of_the_issue_is_there(self):
         wanted = ("--tol --within --rms --control-points --knots --knots-u --knots-v --knots-from --degree --refine "
                   "--max-control-points --max-fits --time-limit --height-field --spacing --rescale-parameters "
-                  "--duplicates --columns --input-format --nodata --classes --returns --feature --feature-file --smoothing --between --cell --fill-holes "
+                  "--duplicates --columns --input-format --nodata --skip-lines --classes --returns --feature --feature-file --smoothing --between --cell --fill-holes "
                   "--output --force --threads --quiet --json --options --weld --largest-part --orient --drop-degenerate "
                   "--corners --omega --base --new-parameters --correct --fairness --samples --reflections --unit --name --step-schema "
                   "--cad-safe --cad-tol").split()
@@ -77,7 +138,7 @@ class Help(ToolTest):
         """Every option of fit is in the stored options, or is known not to shape a result."""
         self.write_points()
         stored = self.run_json("fit", "points.csv", "--control-points", "5")["options"]
-        others = {"--help", "--output", "--force", "--json", "--threads", "--quiet", "--options", "--reflections", "--knots-u",
+        others = {"--help", "--help-all", "--output", "--force", "--json", "--threads", "--quiet", "--options", "--reflections", "--knots-u",
                   "--knots-v", "--knots-from", "--no-height-field", "--no-rescale-parameters", "--no-fill-holes", "--no-largest-part",
                   "--no-orient", "--no-drop-degenerate", "--no-new-parameters", "--no-cad-safe"}
         names = {"--tol": "tolerance", "--within": "measure", "--rms": "measure"}
@@ -109,13 +170,13 @@ class ManPage(ToolTest):
         text = MAN.read_text().replace("\\-", "-")
         for command in COMMANDS:
             self.assertIn(f"knotfit {command}", text)
-            for option in options_of(self.run_tool(command, "--help").stdout) - {"--help"}:
+            for option in all_names_of(self.run_tool(command, "--help-all").stdout):
                 self.assertRegex(text, re.escape(option) + r"(?![a-z-])", f"{command} {option}")
 
     def test_names_no_option_that_is_none(self):
-        known = {"--help", "--version"}
+        known = {"--version"}
         for command in COMMANDS:
-            known |= options_of(self.run_tool(command, "--help").stdout)
+            known |= all_names_of(self.run_tool(command, "--help-all").stdout)
         self.assertLessEqual(set(re.findall(r"--[a-z][a-z-]*", MAN.read_text().replace("\\-", "-"))), known)
 
     def test_is_of_this_version(self):
@@ -137,7 +198,7 @@ class Completions(ToolTest):
             text = (COMPLETION / name).read_text()
             for command in COMMANDS:
                 self.assertIn(command, text)
-                for option in options_of(self.run_tool(command, "--help").stdout) - {"--help"}:
+                for option in all_names_of(self.run_tool(command, "--help-all").stdout):
                     wanted = f"-l {option[2:]}" if name.endswith("fish") else option
                     self.assertRegex(text, re.escape(wanted) + r"(?![a-z-])", f"{name}: {command} {option}")
 

@@ -168,7 +168,7 @@ class Welding(ReportsTest):
         for text in ("-1", "many", "nan", "1e999"):
             self.refused("info", "a.obj", "--weld", text, words=["--weld", text])
         self.write_points()
-        self.refused("fit", "points.csv", "--weld", "0.1", words=["points.csv: --weld 0.1 is for meshes"])
+        self.refused("fit", "points.csv", "--weld", "0.1", words=["points.csv: --weld does not apply to a file of format csv: it joins the vertices of meshes"])
 
     def test_a_tube_that_was_cut_open_stays_a_disk(self):
         n, m = 16, 5
@@ -272,6 +272,15 @@ class TextureCoordinates(ReportsTest):
         hole = [f for k, f in enumerate(faces) if k // 2 not in (27, 28)]
         self.write("a.obj", obj(vertices, hole, [(0.5, 0.5)] * 81))
         self.refused("fit", "a.obj", *SIZE, words=["texture coordinates", "equal at all vertices", "2 boundary loops"])
+
+    def test_options_of_the_map_apply_where_they_are_left_aside(self):
+        vertices, faces = grid()
+        self.write("a.obj", obj(vertices, faces, [(abs(x / 2 - 1), y / 3) for x, y, _ in vertices]))
+        report = self.run_json("fit", "a.obj", *SIZE, "--omega", "0", "--corners", "sharpest")
+        self.assertEqual((report["input"]["mesh"]["parameters"], report["input"]["mesh"]["map"]["omega"]), ("map", 0))
+        self.refused("fit", "a.obj", *SIZE, "--rescale-parameters", words=["--rescale-parameters does not apply to a mesh"])
+        self.write("b.obj", obj(vertices, faces, [(x / 4, y / 3) for x, y, _ in vertices]))
+        self.refused("fit", "b.obj", *SIZE, "--omega", "0", words=["--omega does not apply", "parameters of their own"])
 
     def test_conversion_keeps_them(self):
         vertices, faces = grid()

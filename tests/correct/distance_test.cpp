@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "data/meshes.h"
@@ -83,6 +84,51 @@ TEST(MeshDistances, SeeAWaveThatNoVertexSees) {
   const Mesh mesh = flat_sheet(5);
   EXPECT_LT(point_distances(wave, mesh.vertices).summary.max, 1e-12);
   EXPECT_NEAR(mesh_distances(wave, mesh).max, 0.3 * 2 / 3, 1e-3);  // B of a uniform cubic at its middle
+}
+
+TEST(MeshDistances, SeeABeakAtTheBorderAndAtACorner) {
+  const KnotVector knots = KnotVector::uniform(3, 29);
+  const std::vector<double> g = knots.greville();
+  const auto lifted = [&](std::size_t row, std::size_t column) {
+    std::vector<double> net;
+    for (std::size_t i = 0; i < g.size(); ++i)
+      for (std::size_t j = 0; j < g.size(); ++j)
+        net.insert(net.end(), {g[i], g[j], i == row && j == column ? 0.3 : 0});
+    return Surface(knots, knots, 3, net);
+  };
+  const Mesh mesh = flat_sheet(5);
+  // The first row of control points is the border curve; the first samples inside stand at 7/8 of the span, (7/8)^3 as high.
+  for (const int samples : {10, 300}) {
+    const DistanceSummary border = mesh_distances(lifted(0, 17), mesh, {}, samples);
+    EXPECT_NEAR(border.max, 0.3 * 2 / 3, 0.01 * 0.2);
+    EXPECT_EQ(border.worst_u, 0);
+    EXPECT_NEAR(border.worst_v, g[17], 2e-3);
+    EXPECT_NEAR(border.worst_point[2], border.max, 1e-12);
+    const DistanceSummary corner = mesh_distances(lifted(g.size() - 1, 0), mesh, {}, samples);
+    EXPECT_NEAR(corner.max, 0.3, 1e-12);
+    EXPECT_EQ(corner.worst_u, 1);
+    EXPECT_EQ(corner.worst_v, 0);
+  }
+}
+
+/// A knot as often as the degree and once more: the surface is in two pieces there.
+bool jumps(const KnotVector& knots) {
+  const std::vector<double> interior = knots.interior();
+  for (const double x : interior)
+    if (std::count(interior.begin(), interior.end(), x) > knots.degree()) return true;
+  return false;
+}
+
+TEST(MeshDistances, TheLargestIsKnownToAHundredthFromFewSamplesAsFromMany) {
+  Random random;
+  for (int trial = 0; trial < 8; ++trial) {
+    const Surface s = random_surface(random, 3, Ends::clamped, 3);
+    const Mesh mesh = sheet(20, 20);
+    if (jumps(s.knots_u()) || jumps(s.knots_v())) continue;
+    const double few = mesh_distances(s, mesh, {}, 40).max, many = mesh_distances(s, mesh, {}, 400).max;
+    // A place taken by chance may lie higher, but not by more than what was asked for.
+    EXPECT_NEAR(few, many, 0.01 * many) << "trial " << trial;
+  }
 }
 
 TEST(MeshDistances, LeaveHolesOutWhereTheMapIsGiven) {

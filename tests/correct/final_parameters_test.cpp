@@ -102,5 +102,43 @@ TEST(Untangle, LeavesWhatTheMapHadWrong) {
   EXPECT_EQ(uv, square.uv);
 }
 
+TEST(ApproachFeet, TakesVerticesThatLagBehindToTheirFootPoints) {
+  const Square square(30);
+  const Surface plane(KnotVector::uniform(1, 0), KnotVector::uniform(1, 0), 3,
+                      {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0});
+  std::vector<Vec3> position;
+  for (std::size_t k = 0; k < square.slide.size(); ++k)
+    position.push_back({square.uv[2 * k], square.uv[2 * k + 1], 1e-3});
+  const std::vector<double> distance(square.slide.size(), 1e-3);
+  Random random;
+  for (int trial = 0; trial < 10; ++trial) {
+    // A disk of vertices drawn together towards its middle: none is turned over, all are far from their places.
+    const double u = random.uniform(0.3, 0.7), v = random.uniform(0.3, 0.7), radius = 0.25;
+    std::vector<double> uv = square.uv;
+    for (std::size_t k = 0; k < square.slide.size(); ++k) {
+      const double x = uv[2 * k] - u, y = uv[2 * k + 1] - v, r = std::hypot(x, y);
+      if (r > radius) continue;
+      const double nearer = 0.2 + 0.8 * r / radius;
+      uv[2 * k] = u + nearer * x, uv[2 * k + 1] = v + nearer * y;
+    }
+    ASSERT_EQ(square.turned(uv), 0);
+    EXPECT_GT(approach_feet(square.faces, position, square.slide, square.uv, distance, plane, uv), 10);
+    EXPECT_EQ(square.turned(uv), 0);
+    for (std::size_t k = 0; k < square.slide.size(); ++k)
+      EXPECT_LT(std::hypot(uv[2 * k] - square.uv[2 * k], uv[2 * k + 1] - square.uv[2 * k + 1]), 3e-3);
+  }
+  // One whose foot lies beyond its neighbours goes as far as they let it, and one without data stays.
+  std::vector<double> uv = square.uv, feet = square.uv;
+  feet[2 * 200] += 0.2;
+  position[200].x += 0.2;
+  feet[2 * 500] = NAN;
+  const std::vector<double> there(uv.begin() + 1000, uv.begin() + 1002);
+  EXPECT_EQ(approach_feet(square.faces, position, square.slide, feet, distance, plane, uv), 1);
+  EXPECT_EQ(square.turned(uv), 0);
+  EXPECT_GT(uv[400], square.uv[400]);
+  EXPECT_LT(uv[400], feet[400]);
+  EXPECT_EQ(std::vector<double>(uv.begin() + 1000, uv.begin() + 1002), there);
+}
+
 }  // namespace
 }  // namespace knotfit::correction

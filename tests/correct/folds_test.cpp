@@ -66,6 +66,7 @@ TEST(Folds, AreTheShareThatTurnsBack) {
   // Back from 0.6 to 0.5 over u = 0.4..0.5: a tenth of the square, exactly whole cells.
   const FoldReport one = measure_folds(pleat({0, 0.4, 0.5, 1}, {0, 0.6, 0.5, 1}), m.mesh, m.uv);
   EXPECT_NEAR(one.raw, 0.1, 1e-12);
+  EXPECT_NEAR(one.pleats, 0.1, 1e-12);
   EXPECT_NEAR(one.blurred, 0.1, 1e-12);
   ASSERT_EQ(one.places.size(), 1u);
   EXPECT_NEAR(one.places[0].share, 0.1, 1e-12);
@@ -95,6 +96,30 @@ TEST(Folds, SmallDetailOfTheMeshIsNoneOfTheBlurredOnes) {
   const FoldReport r = measure_folds(pleat({0, 0.5, 1}, {0, 0.5, 1}), m.mesh, m.uv);
   EXPECT_NEAR(r.raw, 0, 0.07);
   EXPECT_EQ(r.blurred, 0);
+}
+
+TEST(Folds, SingleNoisyTrianglesDoNotDecide) {
+  // A plane at 45 degrees, its mesh with noise: neighbours differ by up to 4.8 cells, so triangles stand beyond the plane's
+  // normal where the difference passes 2.
+  Random random;
+  Mapped m = flat(40);
+  for (Index k = 0; k < m.mesh.vertex_count(); ++k)
+    m.mesh.vertices[3 * k + 2] = m.mesh.vertices[3 * k] + random.uniform(-0.06, 0.06);
+  const KnotVector k = KnotVector::uniform(1, 2);
+  std::vector<double> net;
+  for (const double a : k.greville())
+    for (const double b : k.greville()) net.insert(net.end(), {a, b, a});
+  const FoldReport noisy = measure_folds(Surface(k, k, 3, net), m.mesh, m.uv);
+  EXPECT_GT(noisy.raw, 0.02);
+  EXPECT_EQ(noisy.blurred, 0);
+  EXPECT_LT(noisy.pleats, kMostPleats);
+  EXPECT_FALSE(folds_over(noisy));
+  // The same surface turned back within a span over a smooth mesh does: 3 % of the square, less than the blur sees.
+  const Mapped smooth = flat(40);
+  const FoldReport pleated =
+      measure_folds(pleat({0, 0.48, 0.51, 1}, {0, 0.51, 0.48, 1}), smooth.mesh, smooth.uv);
+  EXPECT_NEAR(pleated.pleats, 0.03, 1e-9);
+  EXPECT_TRUE(folds_over(pleated));
 }
 
 TEST(Folds, SeeASurfaceThatVanishes) {

@@ -27,7 +27,7 @@ TEST(BadFiles, ArraysNameShapeAndType) {
                "claims 1000000000000 x 3 numbers of 8 bytes, but only 240 bytes follow");
   refuses_file("bad_object.npy", "Python objects, which are never unpickled");
   refuses_file("bad_shape.npy",
-               "shape 4 x 5 x 7 is neither n x 3, n x 5 or n x 6 points, nor H x W heights, nor H x W x 3");
+               "shape 4 x 5 x 7 is neither n x 3 to n x 9 points, nor H x W heights, nor H x W x 3");
 }
 
 TEST(BadFiles, GridsNameLineAndRow) {

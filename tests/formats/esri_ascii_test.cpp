@@ -46,6 +46,54 @@ TEST(EsriAscii, HolesAreTheNodataValueOrNan) {
   expect_same(raster(no_key + "nodata_value nan\n1 -9999 nan\n4 5 6\n").z, {1, -9999, kNan, 4, 5, 6});
 }
 
+TEST(EsriAscii, HolesMayBeWords) {
+  const std::string no_key = kHeader.substr(0, kHeader.find("NODATA"));
+  for (const char* word : {"null", "NULL", "nan", "NaN", "NA", "n/a", "#N/A", "none", "NoData", "no_data",
+                           "missing", "void", "*", "-", "?", "1.#QNAN", "-1.#IND"}) {
+    SCOPED_TRACE(word);
+    const std::string cells = std::string(word) + " 2 3\n4 " + word + " " + word + "\n";
+    const std::vector<double> wanted = {kNan, 2, 3, 4, kNan, kNan};
+    expect_same(raster(no_key + "NODATA_value " + word + "\n" + cells).z, wanted);
+    expect_same(raster(kHeader + cells).z, wanted);  // whatever the header says
+    expect_same(raster(no_key + cells).z, wanted);
+  }
+  // The keyword itself, as a height: where it was there already, or more follows than one value.
+  expect_same(raster(no_key + "NODATA_value NODATA\nNODATA 2 3\n4 5 6\n").z, {kNan, 2, 3, 4, 5, 6});
+  expect_same(raster(no_key + "nodata 2 3\n4 5 6\n").z, {kNan, 2, 3, 4, 5, 6});
+  EXPECT_EQ(raster(no_key + "nodata 2\n1 2 3\n4 5 6\n").nodata, 2);
+  // Any other word is one where the header says so, in any case.
+  const Raster r = raster(no_key + "nodata_value Leer\nLEER 2 leer\n4 -9999 6\n");
+  expect_same(r.z, {kNan, 2, kNan, 4, -9999, 6});
+  EXPECT_EQ(r.nodata, -9999);  // of what is written
+  refuses("g.asc", no_key + "nodata_value Leer\n1 2 3\n4 voll 6\n",
+          "g.asc:8: grid row 2, number 2 of the line: \"voll\" is not a number");
+  refuses("g.asc", kHeader + "leer 2 3\n4 5 6\n",
+          "g.asc:7: \"leer\" is neither a number nor a header keyword");
+  refuses("g.asc", kHeader + "1 2 3\nleer 5 6\n", "\"NODATA_value WORD\" in the header");
+  // Before the header has told the size, a word is no height.
+  refuses("g.asc", "null 1 2\n" + kHeader, "g.asc:1: not an ESRI grid");
+}
+
+TEST(EsriAscii, CountsMayBeWrittenAsFloatingPointNumbers) {
+  for (const char* header : {"ncols 3.0\nnrows 2.0\n", "ncols 3.\nnrows 2.000000\n",
+                             "ncols 3e0\nnrows 0.2E1\n", "ncols +3\nnrows 20e-1\n"}) {
+    SCOPED_TRACE(header);
+    const Raster r = raster(std::string(header) + "xllcorner 10\nyllcorner 20\ncellsize 5\n1 2 3\n4 5 6\n");
+    EXPECT_EQ(r.columns, 3);
+    EXPECT_EQ(r.rows, 2);
+    EXPECT_EQ(r.z, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  }
+  for (const char* count : {"2.5", "-3.0", "0.0", "1e300", "nan", "inf"})
+    refuses("g.asc", std::string("ncols ") + count + "\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n",
+            "not a whole number above 0");
+}
+
+TEST(EsriAscii, ATextOfPointsIsToldHowItIsRead) {
+  for (const char* text : {"8.05 0.99 0.38 181 58 90\n", "//X Y Z R G B\n1 2 3 4 5 6\n", "x y z\n1 2 3\n",
+                           "3\n1 2 3\n4 5 6\n7 8 9\n"})
+    refuses("cloud.asc", text, "--input-format csv");
+}
+
 TEST(EsriAscii, RowsMayBeWrappedOverLines) {
   const std::vector<double> z = {1, 2, 3, 4, 5, 6};
   EXPECT_EQ(raster(kHeader + "1 2 3 4 5 6\n").z, z);
@@ -92,7 +140,7 @@ TEST(EsriAscii, RefusesBadHeadersByLine) {
   refuses("g.asc", with("nrows 2", "ncols 2"), "g.asc:2: ncols is there twice (first on line 1)");
   refuses("g.asc", with("nrows 2", "rows 2"), "g.asc:2: \"rows\" is neither a number nor a header keyword");
   refuses("g.asc", "hello there\n", "g.asc:1: not an ESRI grid: it begins with \"hello\"");
-  refuses("g.asc", "1 2 3\n", "--format csv");
+  refuses("g.asc", "1 2 3\n", "--input-format csv");
   refuses("g.grd", "DSAA\n3 2\n", "Surfer grid");
   refuses("g.grd", std::string("CDF\x01\0\0", 6), "netCDF grid");
 }

@@ -89,7 +89,8 @@ TEST(Las, SaysWhatIsWrong) {
   refuses("a.las", good.substr(0, good.size() - 1),
           "claims 3 points of 20 bytes, but only 59 bytes follow (room for 2); it is cut off");
   refuses("a.las", changed([](std::string& b) { b[25] = 5; }), "is LAS 1.5; versions 1.0 to 1.4 are read");
-  refuses("a.laz", changed([](std::string& b) { b[104] = static_cast<char>(128 + 3); }), "compressed (LAZ)");
+  refuses("a.laz", changed([](std::string& b) { b[104] = static_cast<char>(128 + 3); }),
+          "compressed point cloud (LAZ)");
   refuses("a.las", changed([](std::string& b) { b[104] = 11; }), "points of format 11");
   refuses("a.las", changed([](std::string& b) { put(b, 105, std::uint16_t{19}); }), "takes 20 bytes a point");
   refuses("a.las", changed([](std::string& b) { put(b, 96, std::uint32_t{100}); }), "begin at byte 100");

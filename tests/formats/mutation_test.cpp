@@ -36,7 +36,7 @@ std::vector<Sample> samples() {
           {"a.json", to_json(document)},
           {"old.las", las({.points = scan})},
           {"new.las", las({.minor = 4, .format = 7, .points = scan})},
-          {"a.pcd", pcd_header("x y z", "4 4 4", "F F F", "1 1 1", 6, 1, "ascii") +
+          {"a.pcd", pcd_header("x y z", "4 4 4", "F F F", "1 1 1", 3, 2, "ascii") +
                         "1 2 3\n4 5 6\n7 8 9\n1 1 1\n2 2 2\nnan nan nan\n"},
           {"binary.pcd",
            pcd_header("x y z", "1 4 8", "I F F", "1 1 1", 2, 3, "binary") + std::string(78, '\x12')},

@@ -130,14 +130,58 @@ TEST(Npy, NodataIsAHole) {
               {1, kNan});
 }
 
-TEST(Npy, PointsThatAreNanAreHolesAndInPartAnError) {
-  const PointTable t = points(doubles("2, 3", {kNan, kNan, kNan, 4, 5, 6}));
+TEST(Npy, ShapesOfPoints) {
+  // More rows than columns of points: no raster.
+  std::vector<double> four, two;
+  for (int k = 0; k < 12; ++k) {
+    four.insert(four.end(), {1.5 * k, 20.0 - k, 0.1 * k * k, 7});
+    two.insert(two.end(), {0.1 * k, 0.01 * k * k});
+  }
+  const SourceData data = read("a.npy", doubles("12, 4", four));
+  EXPECT_EQ(content<PointTable>(data).x[2], 3);
+  EXPECT_EQ(data.columns, (std::vector<std::string>{"x", "y", "z", "intensity"}));
+  EXPECT_EQ(data.columns_from, "guess");
+  ReadOptions options;
+  options.format = "npy-grid";
+  EXPECT_EQ(heights(doubles("12, 4", four), options).columns, 4);
+  EXPECT_EQ(heights(doubles("4, 4", Doubles(16, 1))).rows, 4);
+  // Turned: a column is a point.
+  Doubles turned;
+  for (int c = 0; c < 3; ++c)
+    for (int k = 0; k < 12; ++k) turned.push_back(four[static_cast<std::size_t>(4 * k + c)]);
+  const SourceData columns = read("a.npy", doubles("3, 12", turned));
+  EXPECT_EQ(content<PointTable>(columns).y, content<PointTable>(data).y);
+  EXPECT_EQ(columns.notes[0], "an array of shape 3 x 12: a column is a point");
+  EXPECT_EQ(heights(doubles("4, 12", four)).columns, 12);
+  Doubles many = four;
+  many.insert(many.end(), four.begin(), four.end());
+  refuses("a.npy", doubles("4, 24", many),
+          "an array of shape 4 x 24 may be 24 points, one a column, or heights");
+  refuses("a.npy", doubles("4, 24", many), "--input-format npy-grid");
+  options = {};
+  options.columns = {"x", "y", "z", "-"};
+  EXPECT_EQ(points(doubles("4, 12", four), options).size(), 12);
+  // Of a curve two columns are x, y.
+  refuses("a.npy", doubles("12, 2", two), "fit-curve as the x, y of a curve");
+  options = {};
+  options.curve = options.places = true;
+  const SourceData curve = read("a.npy", doubles("12, 2", two), options);
+  EXPECT_EQ(content<PointTable>(curve).y[3], 0.09);
+  EXPECT_EQ(curve.columns, (std::vector<std::string>{"x", "y"}));
+}
+
+TEST(Npy, PointsThatAreNanAreLeftOutWhereAsked) {
+  ReadOptions any;
+  any.nodata = kNan;
+  const PointTable t = points(doubles("2, 3", {kNan, kNan, kNan, 4, 5, 6}), any);
   EXPECT_EQ(t.z, (Doubles{6}));
   EXPECT_EQ(t.line, (std::vector<Index>{2}));
   refuses("a.npy", doubles("2, 3", {1, 2, 3, 4, 5, kNan}),
           "row 2 (from 1), column 3 (z): nan is not a finite number");
   refuses("a.npy", doubles("1, 5", {1, 2, 3, kInf, 0}), "row 1 (from 1), column 4 (u): inf");
-  refuses("a.npy", doubles("1, 3", {kNan, kNan, kNan}), "every point is NaN");
+  refuses("a.npy", doubles("1, 3", {kNan, kNan, kNan}),
+          "row 1 (from 1), column 1 (x): nan is not a finite number");
+  refuses("a.npy", doubles("1, 3", {kNan, kNan, kNan}), "every point is NaN", any);
   refuses("a.npy", doubles("1, 2", {1, kInf}), "row 1, column 2 (from 1): the height is infinite");
   refuses("a.npy", doubles("1, 1, 3", {1, kInf, 2}), "row 1, column 1 (from 1): y is infinite");
 }

@@ -85,6 +85,11 @@ TEST(Number, IsTheSameInEveryLocale) {
 TEST(Number, CountsAreWholeAndNotNegative) {
   EXPECT_EQ(parse_count("0"), 0);
   EXPECT_EQ(parse_count("+403"), 403);
+  for (const char* token : {"14.0", "14.", "+14.000", "1.4e1", "1.4E+01", "140e-1", "0.014d3"})
+    EXPECT_EQ(parse_count(token), 14) << token;
+  EXPECT_EQ(parse_count("0.0"), 0);
+  EXPECT_EQ(parse_count("9007199254740992.0"), 9007199254740992);  // 2^53, the last that is exact
+  EXPECT_EQ(parse_count("9007199254740994.0"), -1);
   for (const char* token : {"", "-1", "1.5", "8x", "99999999999999999999"})
     EXPECT_EQ(parse_count(token), -1) << token;
 }

@@ -14,7 +14,9 @@ std::string xyz_header(int width, int height, const std::string& data) {
 }
 
 TEST(Pcd, Ascii) {
-  const PointTable t = points(xyz_header(3, 1, "ascii") + "1 2 3\nnan nan nan\n\n4 5e1 -6");
+  ReadOptions any;
+  any.nodata = kNan;
+  const PointTable t = points(xyz_header(3, 1, "ascii") + "1 2 3\nnan nan nan\n\n4 5e1 -6", any);
   EXPECT_EQ(t.x, (Doubles{1, 4}));
   EXPECT_EQ(t.y, (Doubles{2, 50}));
   EXPECT_EQ(t.z, (Doubles{3, -6}));
@@ -117,7 +119,10 @@ TEST(Pcd, SaysWhatIsWrong) {
   refuses("a.pcd", ascii + "1 2 3\n4 5 6\n7 8 9\n", ":14: data after the last point");
   refuses("a.pcd", ascii + "1 2 3\n4 abc 6\n", ":13: y: \"abc\" is not a number");
   refuses("a.pcd", ascii + "1 2 3\n4 inf 6\n", ":13: point 2 (from 1): y is not finite");
-  refuses("a.pcd", ascii + "nan 2 3\n4 5 nan\n", "every point is NaN");
+  refuses("a.pcd", ascii + "nan 2 3\n4 5 nan\n", ":12: point 1 (from 1): x is not finite; --nodata nan");
+  ReadOptions any;
+  any.nodata = kNan;
+  refuses("a.pcd", ascii + "nan 2 3\n4 5 nan\n", "every point is NaN", any);
   refuses("a.pcd", xyz_header(1000000, 1000, "ascii") + "1 2 3\n", "only 6 bytes follow; it is cut off");
   const std::string binary = xyz_header(2, 1, "binary") + items<float>({1, 2, 3, 4, 5, 6});
   refuses("a.pcd", binary.substr(0, binary.size() - 1), "claims 2 points, which take 24 bytes, but only 23");

@@ -73,14 +73,16 @@ TEST(CloudOverAPlane, GapsAreNoDataAndScrapsAreLeftOut) {
     for (int j = 0; j <= 60; ++j)
       if (std::hypot(i - 30, j - 30) > 12) p.insert(p.end(), {i * 1.0, j * 1.0, 0.1 * std::sin(0.2 * i)});
   const auto sheet = static_cast<Index>(p.size()) / 3;
-  const CloudMap whole = parameterize_cloud(p);
+  const CloudMap whole = parameterize_cloud(p, {.fill_holes = true});
   expect_sound(whole);
   EXPECT_GT(count_virtual(whole), 0);
+  EXPECT_EQ(whole.openings.size(), 1u);
   EXPECT_EQ(whole.lone, 0);
   p.insert(p.end(), {200, 30, 0});
-  const CloudMap with = parameterize_cloud(p);
+  const CloudMap with = parameterize_cloud(p, {.fill_holes = true});
   expect_sound(with);
   EXPECT_EQ(with.lone, 1);
+  EXPECT_EQ(with.openings.size(), 1u);
   EXPECT_EQ(mesh_points(with.mesh, with.map.uv).size(), sheet);
   EXPECT_NE(describe(with).find("1 points left out, apart from the others"), std::string::npos);
 }
@@ -92,7 +94,8 @@ TEST(CloudOverAPlane, ARoundOutlineIsLaidAlongTheSquare) {
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
     if (std::hypot(x, y) < 1) p.insert(p.end(), {x, y, 0.2 * x * x});
   }
-  const CloudMap plane = parameterize_cloud(p, {.base = CloudBase::plane}), own = parameterize_cloud(p);
+  const CloudMap plane = parameterize_cloud(p, {.base = CloudBase::plane, .fill_holes = true}),
+                 own = parameterize_cloud(p);
   EXPECT_NEAR(plane.covered, std::numbers::pi / 4, 0.03);
   EXPECT_NE(describe(plane).find("of the square holds no data"), std::string::npos);
   expect_sound(own);

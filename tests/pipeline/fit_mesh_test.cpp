@@ -75,6 +75,43 @@ TEST(FitMesh, SaysWhereTheFacetsAreCoarse) {
   EXPECT_TRUE(said);
 }
 
+TEST(FitMesh, ASurfaceThatStraysFromTheMeshIsTheFirstNote) {
+  // A wave that the vertices sample and the facets do not follow: held at the vertices, far between them.
+  const auto z = [](double x, double y) { return 0.4 * std::sin(9 * x) * std::cos(7 * y); };
+  const Mesh mesh = sheet(10, 10, 1, 1, z);
+  const MeshMap map = parameterize_mesh(mesh, {.corners = CornerRule::sharpest, .omega = 0, .newton = false});
+  FitOptions options = at_size(9);
+  const MeshFit fixed = fit_mesh(mesh, map, options);
+  for (const std::string& note : fixed.result.notes)
+    EXPECT_EQ(note.find("strays"), std::string::npos) << note;
+  for (const double share : {0.3, 0.7}) {
+    options.tolerance = ToleranceRequest{.value = share * fixed.to_mesh.max};
+    const MeshFit fit = fit_mesh(mesh, map, options);
+    const bool strays = fit.to_mesh.max > 2 * fit.result.tolerance;
+    EXPECT_EQ(strays, share < 0.5);
+    ASSERT_FALSE(fit.result.notes.empty());
+    EXPECT_EQ(fit.result.notes[0].find("between the vertices the surface strays from the mesh by ") == 0,
+              strays);
+    // The distance of the tool, from more samples, is the same to a hundredth.
+    EXPECT_NEAR(mesh_distances(fit.result.surface, mesh).max, fit.to_mesh.max, 0.011 * fit.to_mesh.max);
+  }
+}
+
+TEST(FitMesh, PointsAwayFromTheirFootPointsAreCounted) {
+  const MeshFit fit = fit_mesh(ridge().mesh, ridge().map, at_size(10, 3e-3));
+  ASSERT_EQ(fit.foot_uv.size(), 2 * fit.result.errors.size());
+  ParameterizedPoints feet = fit.points;
+  feet.uv = fit.foot_uv;
+  const std::vector<double> there = recheck_errors(fit.result.surface, feet),
+                            here = recheck_errors(fit.result.surface, fit.points);
+  Index off = 0;
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    EXPECT_NEAR(there[k], fit.result.errors[k], 1e-9);
+    off += here[k] > std::max(3e-3, 2 * there[k]);
+  }
+  EXPECT_EQ(fit.off_foot, off);
+}
+
 TEST(FitMesh, StopsWithAJudgedSurface) {
   std::stop_source stop;
   Control control;

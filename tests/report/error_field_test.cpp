@@ -79,5 +79,20 @@ TEST(ThinField, TakesPlacesOnTheBorder) {
   EXPECT_LT(field.ratio(1, 1), 1);
 }
 
+TEST(OpeningField, IsInsideItsTrianglesEitherWayRound) {
+  for (const bool turned : {false, true}) {
+    std::array<double, 6> t{10, 1, 20, 1, 20, 3};
+    if (turned) t = {10, 1, 20, 3, 20, 1};
+    const OpeningField field({t}, {0, 40, 0, 4});
+    EXPECT_TRUE(field.inside(18, 1.5));
+    EXPECT_TRUE(field.inside(19.9, 2.9));
+    EXPECT_FALSE(field.inside(12, 2));
+    EXPECT_FALSE(field.inside(20.2, 2));
+    EXPECT_FALSE(field.inside(15, 0.98));
+  }
+  EXPECT_TRUE(OpeningField({}, {}).empty());
+  EXPECT_FALSE(OpeningField({}, {}).inside(0.5, 0.5));
+}
+
 }  // namespace
 }  // namespace knotfit::report

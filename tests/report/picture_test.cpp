@@ -115,6 +115,29 @@ TEST_F(PictureOfHills, ShowsTheThinPlaces) {
   EXPECT_GT(changed, 20);
 }
 
+TEST_F(PictureOfHills, ShowsOpeningsGreyAndHatched) {
+  PictureInput bare = input_of(surface);
+  bare.openings = {{0.55, 0.55, 0.85, 0.55, 0.85, 0.85}, {0.55, 0.55, 0.85, 0.85, 0.55, 0.85}};
+  const Pixels a = decode(draw_picture(bare, ".png", {800, 450}));
+  int grey = 0, pale = 0;
+  const report::Vec2 at = place_in_plane(bare, 0.7, 0.7, {800, 450});
+  for (int dy = -8; dy <= 8; ++dy)
+    for (int dx = -8; dx <= 8; ++dx) {
+      const std::uint32_t pixel = a.at(at.x + dx, at.y + dy);
+      const int red = channel(pixel, 0), blue = channel(pixel, 2);
+      grey += std::abs(red - 184) < 6 && std::abs(blue - 186) < 6;
+      pale += red > 215 && std::abs(red - blue) < 6;
+    }
+  EXPECT_GT(grey, 50);
+  EXPECT_GT(pale, 20);
+  const report::Content content = report::prepare(bare, 40);
+  EXPECT_TRUE(content.gaps);
+  EXPECT_FALSE(content.colour_at(0.7, 0.7, 0));
+  EXPECT_TRUE(content.colour_at(0.3, 0.7, 0));
+  bare.openings[0][3] = NAN;
+  EXPECT_NE(message_of(bare, ".png").find("not finite"), std::string::npos);
+}
+
 TEST_F(PictureOfHills, RefusesWhatItCannotDraw) {
   EXPECT_NE(message_of(input, ".gif").find("\".gif\""), std::string::npos);
   EXPECT_NE(message_of(input, ".gif").find(".png, .svg and .pdf"), std::string::npos);

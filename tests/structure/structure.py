@@ -160,7 +160,7 @@ def check_architecture(root):
 
 
 def check_length(root):
-    folders = ["src", "tool", "python", "include", "tests", "bench", "examples", "scripts"]
+    folders = ["src", "tool", "python", "include", "tests", "bench", "examples", "fuzz", "scripts"]
     for path in sources(root, folders, (".h", ".cpp", ".py", ".cmake")):
         lines = len(path.read_text(encoding="utf-8").splitlines())
         if lines > MAX_LINES:

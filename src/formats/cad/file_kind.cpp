@@ -2,12 +2,14 @@
 #include "formats/cad/iges_sections.h"
 #include "formats/cad/occt.h"
 #include "formats/cad/step_syntax.h"
+#include "formats/foreign.h"
 #include "knotfit/errors.h"
 namespace knotfit::cad {
 namespace {
 
+/// Without blanks, and without what DOS files are padded with.
 std::string_view trimmed_end(std::string_view text) {
-  while (!text.empty() && std::string_view(" \t\r\n\0", 5).find(text.back()) != std::string_view::npos)
+  while (!text.empty() && std::string_view(" \t\r\n\0\x1A", 6).find(text.back()) != std::string_view::npos)
     text.remove_suffix(1);
   return text;
 }
@@ -45,6 +47,7 @@ FileKind kind_of(std::string_view bytes, const std::string& path) {
     check_iges(whole, path);
     return FileKind::iges;
   }
+  if (const std::string why = foreign_file(bytes, path); !why.empty()) throw FileError(path, why);
   throw FileError(path, "is neither STEP (ISO-10303-21) nor IGES (80 columns)");
 }
 

@@ -1,0 +1,59 @@
+"""Every option that a message or a page names is one that the tool has."""
+
+import re
+import unittest
+
+from harness import SOURCE, ToolTest
+from help_test import COMMANDS, all_names_of
+
+# Options of other programs and of the project's scripts, which pages and messages name too.
+OTHERS = {
+    "--preset", "--build", "--install", "--component", "--prefix", "--target", "--test-dir",  # cmake, ctest
+    "--headless", "--convert-to",  # libreoffice, in messages about spreadsheets
+    "--cflags", "--libs", "--static",  # pkg-config
+}
+OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z](?![\w-])")
+PAGES = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"]
+
+
+def words_of_code(text):
+    """The string literals of C++ code, joined where they follow each other."""
+    text = re.sub(r"//[^\n]*", "", text)
+    return " ".join(re.findall(r'"((?:[^"\\\n]|\\.)*)"', re.sub(r'"\s*\n\s*"', "", text)))
+
+
+class Said(ToolTest):
+    def known(self):
+        names = {"--version"}
+        for command in COMMANDS:
+            names |= all_names_of(self.run_tool(command, "--help-all").stdout)
+        return names
+
+    def check(self, paths, words_of):
+        known = self.known() | OTHERS
+        for script in (SOURCE / "scripts").iterdir():
+            known |= set(OPTION.findall(script.read_text(encoding="utf-8")))
+        found = 0
+        for path in paths:
+            for option in OPTION.findall(words_of(path.read_text(encoding="utf-8"))):
+                found += 1
+                self.assertIn(option, known, f"{path.relative_to(SOURCE)} names {option}")
+        self.assertGreater(found, 20)
+
+    def test_by_pages(self):
+        pages = [SOURCE / page for page in PAGES] + sorted((SOURCE / "docs").rglob("*.md"))
+        self.check(pages, lambda text: text)
+
+    def test_by_messages(self):
+        paths = [p for folder in ("src", "tool", "include") for p in sorted((SOURCE / folder).rglob("*.cpp"))
+                 if p.name != "applicable_options.cpp"]  # names an option only where it was given
+        self.check(paths, words_of_code)
+
+    def test_the_check_sees_what_is_wrong(self):
+        self.assertEqual(words_of_code('f("a --b"\n   "ad c"); // "--no"'), "a --bad c")
+        self.assertEqual(OPTION.findall("`--format csv`, a -- b, x--y, --input-format=csv --tol"),
+                         ["--format", "--input-format", "--tol"])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
