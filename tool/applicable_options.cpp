@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "knotfit/errors.h"
+#include "knotfit/mesh_parameters.h"
 #include "standard_streams.h"
 #include "surface_file.h"
 #include "text_values.h"
@@ -61,7 +62,7 @@ Input input_of(const SourceData& data, const FitChoices& choices) {
   input.raster = std::holds_alternative<Raster>(data.content);
   if (const Mesh* mesh = std::get_if<Mesh>(&data.content)) {
     input.mesh = true;
-    input.parameters = !mesh->uv.empty();
+    input.parameters = !mesh->uv.empty() && check_parameters(*mesh).one_to_one;  // else left aside
   } else if (const PointRows* rows = std::get_if<PointRows>(&data.content)) {
     input.rows = true;
     input.ragged = rows->common_length() == 0;

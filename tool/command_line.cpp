@@ -246,8 +246,20 @@ void add_data_options(CLI::App& app, FitChoices& c) {
       });
 }
 
+void add_weld(CLI::App& app, InputOptions& input) {
+  add(app, "--weld", "auto|off|X|X%",
+      "Vertices of a mesh within X of each other become one where that joins its faces: X in the data's "
+      "unit, or in "
+      "% of the diagonal; default auto: 1e-7 of the diagonal, and the last bit of single precision",
+      "Meshes", [&](const std::string& t) {
+        parse_weld(t);
+        input.weld = t;
+      });
+}
+
 void add_mesh_options(CLI::App& app, FitChoices& c) {
   const std::string group = "Meshes";
+  add_weld(app, c.input);
   add_flag(app, "--largest-part", "Keep the part of a mesh with the most area", group,
            [&] { c.largest_part = true; });
   add_flag(app, "--orient",
@@ -463,6 +475,7 @@ void add_info(CLI::App& app, InfoArguments& info) {
   add_input(app, "FILE", info.file, "A surface.json, a STEP or IGES file, or a data file");
   add_surface_options(app, info.source);
   add_input_options(app, info.input);
+  add_weld(app, info.input);
   add_flag(app, "--json", "One JSON object", "Output", [&] { info.json = true; });
 }
 
@@ -470,6 +483,7 @@ void add_convert(CLI::App& app, ConvertArguments& convert) {
   add_input(app, "INPUT", convert.input, "A surface.json, a STEP or IGES file, or a data file");
   add_face(app, convert.face);
   add_input_options(app, convert.read);
+  add_weld(app, convert.read);
   add_output_options(
       app, convert.output,
       "May repeat. Of a surface: .json, .csv (values on --grid), .asc or .grd (heights; --cell), "

@@ -9,6 +9,7 @@ void add_distance(CLI::App& app, DistanceArguments& distance) {
   add_input(app, "DATA", distance.data, "Points, a mesh, a raster of heights, rows of points");
   add_surface_options(app, distance.source);
   add_input_options(app, distance.input);
+  add_weld(app, distance.input);
   const std::string what = "What";
   add(app, "--tol", "X|X%",
       "What the points may be away from the surface: absolute, or in % of the diagonal of their bounding "

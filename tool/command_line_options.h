@@ -29,6 +29,7 @@ void add_quiet(CLI::App& app, bool& quiet, const std::string& help);
 void add_threads(CLI::App& app, int& threads);
 void add_feature_file(CLI::App& app, FitChoices& c, const std::string& group);
 void add_data_options(CLI::App& app, FitChoices& choices);
+void add_weld(CLI::App& app, InputOptions& input);
 void add_mesh_options(CLI::App& app, FitChoices& choices);
 void add_evaluations(CLI::App& app, FitChoices& choices, const std::string& group);
 void add_cad_options(CLI::App& app, CadChoices& cad, const std::string& unit);

@@ -69,7 +69,8 @@ int run_compare(const CompareArguments& arguments) {
   if (arguments.json)
     print(json);
   else if (!arguments.quiet)
-    print(compare_table(rows) + (folder ? "wrote " + arguments.folder + "\n" : ""));
+    print(compare_table(rows) + notes_to_text(input.summary.reading) +
+          (folder ? "wrote " + arguments.folder + "\n" : ""));
   if (stopped) {
     std::fprintf(stderr, "knotfit: stopped after %zu rows; they are kept\n", rows.size());
     return kStopped;

@@ -119,7 +119,9 @@ std::string convert_data(const ConvertArguments& arguments, std::vector<OutputFi
       throw InvalidInput(fmt::format(
           "{}: data becomes .csv, .asc or .grd, and a mesh .obj or .ply; a {} needs a surface: knotfit fit",
           file.path, file.extension));
-  const SourceData data = read_input(arguments.input, arguments.read);
+  InputOptions options = arguments.read;
+  options.keep_parameters = true;
+  const SourceData data = read_input(arguments.input, options);
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
   for (const OutputFile& file : files)
     if (file.kind == OutputKind::mesh && mesh == nullptr)

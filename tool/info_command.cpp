@@ -12,10 +12,12 @@
 #include "input.h"
 #include "knotfit/errors.h"
 #include "knotfit/io.h"
+#include "knotfit/mesh_parameters.h"
 #include "outputs.h"
 #include "standard_streams.h"
 #include "surface_file.h"
 #include "text_values.h"
+#include "welding.h"
 namespace knotfit::tool {
 namespace {
 
@@ -87,14 +89,19 @@ DataFacts facts_of(const PointRows& rows) {
 
 DataFacts facts_of(const Mesh& mesh) {
   DataFacts facts{.content = "mesh"};
-  facts.read_as = mesh.uv.empty()
-                      ? "its vertices, with parameters from a map of the mesh"
-                      : "its vertices at their parameters u, v; with --new-parameters at those of a map";
+  const ParameterCheck check = mesh.uv.empty() ? ParameterCheck{} : check_parameters(mesh);
+  facts.read_as = mesh.uv.empty() ? "its vertices, with parameters from a map of the mesh"
+                  : check.one_to_one
+                      ? "its vertices at their parameters u, v, which are one-to-one; with --new-parameters "
+                        "at those of a map"
+                      : "its vertices, with parameters from a map of the mesh: its own (texture "
+                        "coordinates) are left aside, since " +
+                            check.why;
   const MeshReport report = inspect(mesh);
   try {
     require_disk(mesh);
   } catch (const InvalidInput& e) {
-    facts.problem = e.what();
+    facts.problem = e.what() + weld_hint(mesh);
   }
   facts.counts = {{"vertices", mesh.vertex_count()},
                   {"triangles", mesh.face_count()},
@@ -129,7 +136,8 @@ DataFacts facts_of(const SourceData& data) {
 }
 
 std::string data_info(const InfoArguments& arguments) {
-  const SourceData data = read_input(arguments.file, arguments.input);
+  Index welded = 0;
+  const SourceData data = read_input(arguments.file, arguments.input, false, &welded);
   const DataFacts facts = facts_of(data);
   const Raster* raster = std::get_if<Raster>(&data.content);
   if (arguments.json) {
@@ -141,6 +149,7 @@ std::string data_info(const InfoArguments& arguments) {
     for (const Range& r : facts.ranges)
       j["ranges"][r.name] = r.empty() ? Json(nullptr) : Json{r.least, r.most};
     if (facts.content == "mesh") {
+      j["welded"] = welded;
       j["disk"] = facts.problem.empty();
       j["problem"] = facts.problem.empty() ? Json(nullptr) : Json(facts.problem);
     }
@@ -244,30 +253,64 @@ std::string surface_text(const SurfaceDocument& document, const std::string& nam
   return text + "\n" + making_text(document);
 }
 
+// Of a file with several faces: each, and why some are not usable.
+std::string face_text(const FileFace& face, const std::string& path, std::size_t number) {
+  const std::string name = fmt::format("{}, face {}", path, number);
+  if (!face.document) return fmt::format("{}: {}, not usable: {}\n", name, face.kind, face.why);
+  return surface_text(*face.document, name);
+}
+
+constexpr const char* kTrimmed =
+    "trimmed: the face is a part of this surface; its borders are left out, and the surface is taken whole";
+
+Json faces_json(const std::vector<FileFace>& faces) {
+  Json j = Json::array();
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    j.push_back({{"face", k + 1},
+                 {"kind", faces[k].kind},
+                 {"usable", faces[k].document.has_value()},
+                 {"why_not", faces[k].document ? Json(nullptr) : Json(faces[k].why)},
+                 {"trimmed", faces[k].trimmed}});
+  return j;
+}
+
 std::string surfaces_info(const InfoArguments& arguments) {
-  const auto described = [&](const SurfaceDocument& document) {
-    Json j = surface_json(document, arguments.file);
-    if (is_cad_file(arguments.file))
-      j["unit"] = name_of(kUnits, arguments.source.unit.value_or(CadUnit::millimetre));
+  const bool cad = is_cad_file(arguments.file);
+  std::vector<FileFace> faces;
+  if (arguments.source.face)
+    faces.push_back({read_one_surface(arguments.file, arguments.source), "B-spline surface", "", false});
+  else
+    faces = read_faces(arguments.file, arguments.source);
+  const auto described = [&](const FileFace& face) {
+    Json j = surface_json(*face.document, arguments.file);
+    if (cad) j["unit"] = name_of(kUnits, arguments.source.unit.value_or(CadUnit::millimetre));
+    if (cad) j["trimmed"] = face.trimmed;
     return j;
   };
-  std::vector<SurfaceDocument> documents;
-  if (arguments.source.face)
-    documents.push_back(read_one_surface(arguments.file, arguments.source));
-  else
-    documents = read_surfaces(arguments.file, arguments.source);
-  if (arguments.json && documents.size() == 1) return described(documents.front()).dump() + "\n";
+  const bool one = faces.size() == 1 && faces[0].document;
+  if (arguments.json && one) return described(faces[0]).dump() + "\n";
   if (arguments.json) {
     Json j = {{"kind", "surfaces"}, {"path", arguments.file}, {"surfaces", Json::array()}};
-    for (const SurfaceDocument& document : documents) j["surfaces"].push_back(described(document));
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      if (faces[k].document) {
+        j["surfaces"].push_back(described(faces[k]));
+        j["surfaces"].back()["face"] = k + 1;
+      }
+    j["faces"] = faces_json(faces);
     return j.dump() + "\n";
   }
   std::string text;
-  for (std::size_t k = 0; k < documents.size(); ++k)
-    text +=
-        surface_text(documents[k], documents.size() == 1 ? input_name(arguments.file)
-                                                         : fmt::format("{}, face {}", arguments.file, k + 1));
-  if (is_cad_file(arguments.file))
+  const auto usable =
+      std::count_if(faces.begin(), faces.end(), [](const FileFace& f) { return f.document.has_value(); });
+  if (!one)
+    text = fmt::format("{}: {} face{}, {} usable\n", input_name(arguments.file), faces.size(),
+                       faces.size() == 1 ? "" : "s", usable);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    text += one ? surface_text(*faces[k].document, input_name(arguments.file))
+                : face_text(faces[k], arguments.file, k + 1);
+    if (faces[k].document && faces[k].trimmed) text += std::string(kTrimmed) + "\n";
+  }
+  if (cad)
     text += fmt::format("unit: {}\n", name_of(kUnits, arguments.source.unit.value_or(CadUnit::millimetre)));
   return text;
 }

@@ -10,6 +10,7 @@
 #include "knotfit/parameterize.h"
 #include "parameterize/table_checks.h"
 #include "standard_streams.h"
+#include "welding.h"
 namespace knotfit::tool {
 namespace {
 
@@ -21,7 +22,11 @@ ParameterizedPoints parameterize(const Mesh& mesh, const FitChoices& choices, co
   }
   mapped = map_mesh(mesh, choices, control);
   if (mapped->map) return mesh_points(mapped->mesh, mapped->map->uv);
-  return parameterize_given(table_of(mapped->mesh), choices.rescale_parameters.value_or(false));
+  try {
+    return parameterize_given(table_of(mapped->mesh), choices.rescale_parameters.value_or(false));
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(std::string(e.what()) + ", --new-parameters maps the mesh and leaves its own aside");
+  }
 }
 
 /// A correction of parameters that the points came with is asked for.
@@ -79,6 +84,16 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
   return of_mesh;
 }
 
+/// Options that say nothing of the file are refused, vertices of a mesh at the same place made one.
+SourceData read_checked(const std::string& path, const ReadOptions& read, const InputOptions& options,
+                        Index* welded) {
+  SourceData data = read_source(path, read);
+  refuse_idle_reading(data, path, options);
+  const Index count = weld_input(data, options);
+  if (welded != nullptr) *welded = count;
+  return data;
+}
+
 /// A slip far off makes the range that a tolerance in % is of.
 void note_strays(FitInput& input) {
   const ParameterizedPoints& points = input.points;
@@ -108,12 +123,10 @@ ReadOptions read_options(const InputOptions& options) {
   return read;
 }
 
-SourceData read_input(const std::string& path, const InputOptions& options, bool places) {
+SourceData read_input(const std::string& path, const InputOptions& options, bool places, Index* welded) {
   ReadOptions read = read_options(options);
   read.places = places;
-  SourceData data = read_source(path, read);
-  refuse_idle_reading(data, path, options);
-  return data;
+  return read_checked(path, read, options, welded);
 }
 
 Index count_holes(const SourceData& data) {
@@ -155,7 +168,7 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
   FitInput input;
   ReadOptions read = read_options(choices.input);
   read.any_parameters = choices.rescale_parameters.value_or(false);
-  SourceData data = read_data(path, read);
+  SourceData data = read_checked(path, read, choices.input, &input.summary.welded);
   input.summary.reading = reading_of(data);
   input.summary.path = path;
   input.summary.format = data.format;
@@ -165,6 +178,10 @@ FitInput read_fit_input(const std::string& path, const FitChoices& choices, cons
     const Mesh* mesh = std::get_if<Mesh>(&data.content);
     input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
                                    : parameterize(data, choices, control, input.mesh);
+    if (input.mesh && !input.mesh->left_aside.empty())
+      input.summary.reading.notes.push_back(
+          "the mesh's parameters (texture coordinates) are left aside and the mesh is mapped, since " +
+          input.mesh->left_aside);
     if (std::get_if<Raster>(&data.content) == nullptr) note_strays(input);
     // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
     double tolerance = 0;

@@ -18,6 +18,7 @@ struct InputSummary {
   Index holes = 0;       ///< cells or points without data
   Reading reading;       ///< what was done with the file
   Index duplicates = 0;  ///< points dropped since others have their parameters
+  Index welded = 0;      ///< vertices of a mesh that went into others at their place
 };
 
 struct FitInput {
@@ -32,9 +33,11 @@ struct FitInput {
 
 /// The tool's options as the library's.
 ReadOptions read_options(const InputOptions& options);
-/// read_data with the tool's options.
+/// read_data with the tool's options, and of "-" standard input; vertices of meshes at the same place made one.
 /// \param places  z may be missing, as ReadOptions::places
-SourceData read_input(const std::string& path, const InputOptions& options, bool places = false);
+/// \param welded  how many vertices went into others
+SourceData read_input(const std::string& path, const InputOptions& options, bool places = false,
+                      Index* welded = nullptr);
 
 /// read_data, and of "-" standard input.
 SourceData read_source(const std::string& path, const ReadOptions& options);

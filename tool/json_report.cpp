@@ -71,6 +71,7 @@ Json input_of(const FitReport& r) {
                 {"points", s.points},
                 {"holes", s.holes},
                 {"duplicates", s.duplicates},
+                {"welded", s.welded},
                 {"dimension", r.input.points.dimension},
                 {"height_field", r.result.height_field},
                 {"diagonal", number(r.result.diagonal)}};

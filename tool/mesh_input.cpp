@@ -9,7 +9,9 @@
 
 #include "data/mesh_topology.h"
 #include "knotfit/errors.h"
+#include "knotfit/mesh_parameters.h"
 #include "text_values.h"
+#include "welding.h"
 namespace knotfit::tool {
 namespace {
 
@@ -102,8 +104,23 @@ const std::vector<double>& parameters_of(const MappedMesh& mapped) {
 
 MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control, bool newton) {
   MappedMesh mapped = repaired_mesh(mesh, choices);
-  if (!mapped.mesh.uv.empty() && !choices.new_parameters.value_or(false)) return mapped;
-  require_disk(mapped.mesh);
+  if (!mapped.mesh.uv.empty() && !choices.new_parameters.value_or(false)) {
+    ParameterCheck check = check_parameters(mapped.mesh);
+    if (check.one_to_one) return mapped;
+    mapped.left_aside = std::move(check.why);
+  }
+  mapped.mesh.uv.clear();
+  try {
+    require_disk(mapped.mesh);
+  } catch (const InvalidInput& e) {
+    const std::string hint = weld_hint(mapped.mesh);
+    if (mapped.left_aside.empty() && hint.empty()) throw;
+    if (mapped.left_aside.empty()) throw InvalidInput(e.what() + hint);
+    throw InvalidInput(
+        fmt::format("the mesh's parameters (texture coordinates) are no parameters of a surface, {}, "
+                    "and a map of it is not to be had: {}",
+                    mapped.left_aside, e.what() + hint));
+  }
   MeshMapOptions options = map_options(mapped.mesh, choices);
   options.newton = newton;
   mapped.map = parameterize_mesh(mapped.mesh, options, control);
@@ -147,7 +164,9 @@ std::string mesh_to_text(const MappedMesh& mapped) {
   for (const auto& [count, what] : counts)
     if (count > 0) text += fmt::format(", {} {}", count, what);
   text += "\n" + holes_text(mapped);
-  if (!mapped.map) return text;
+  if (!mapped.map)
+    return text +
+           (mapped.mesh.uv.empty() ? "" : "parameters: the file's own (texture coordinates), one-to-one\n");
   const MeshMap& map = *mapped.map;
   const MapQuality& q = map.quality;
   text += fmt::format(
@@ -168,6 +187,8 @@ std::string mesh_to_json(const MappedMesh& mapped) {
             {"dropped_parts", r.dropped_parts},       {"dropped_faces", r.dropped_faces},
             {"turned_faces", r.turned_faces},         {"filled_holes", r.filled_holes},
             {"dropped_vertices", r.dropped_vertices}, {"map", nullptr}};
+  j["parameters"] = mapped.map ? Json("map") : mapped.mesh.uv.empty() ? Json(nullptr) : Json("file");
+  j["left_aside"] = mapped.left_aside.empty() ? Json(nullptr) : Json(mapped.left_aside);
   add_openings(j, mapped);
   if (mapped.map) {
     const MeshMap& map = *mapped.map;

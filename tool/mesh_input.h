@@ -17,6 +17,8 @@ struct MappedMesh {
   Mesh mesh;  ///< repaired
   RepairSummary repaired;
   std::optional<MeshMap> map;  ///< absent: the parameters of the file are used, or none are needed
+  std::string left_aside =
+      {};  ///< why the parameters of the file are not used; empty: they are, or it has none
   /// Where the input was no mesh but points: what they were laid over. Its mesh and map are those above.
   std::optional<CloudMap> cloud = {};
   std::vector<Opening> openings =
@@ -26,7 +28,7 @@ struct MappedMesh {
 /// Repairs the mesh as asked.
 MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices);
 
-/// Repairs the mesh, and maps it unless it has parameters and they are wanted.
+/// Repairs the mesh, and maps it unless it has parameters that are wanted and one-to-one.
 /// \throws InvalidInput  no disk, corners that are none
 /// \param newton  false: the mean value map alone
 MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control, bool newton = true);

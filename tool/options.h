@@ -60,6 +60,12 @@ struct BaseChoice {
   std::vector<std::string> curves{};  ///< files of four boundary curves, or none
 };
 
+/// --weld: vertices at the same place become one.
+struct WeldChoice {
+  bool off = false;
+  std::optional<ToleranceValue> tolerance{};  ///< none: the usual one
+};
+
 /// How a data file is read.
 struct InputOptions {
   std::optional<std::string> format;
@@ -67,6 +73,9 @@ struct InputOptions {
   std::optional<double> nodata;                      ///< NaN: every word for missing data
   std::optional<Index> skip_lines;                   ///< of a text
   std::optional<std::vector<int>> classes, returns;  ///< of LAS points, as ReadOptions
+  std::optional<std::string> weld;                   ///< of meshes: text of parse_weld
+  bool keep_parameters = false;                      ///< of meshes: none are given up in a weld
+  bool every_vertex = false;                         ///< of meshes: there is no weld
   std::vector<std::string>
       given;  ///< every option on the command line, as "--base", also those of no reading
 };

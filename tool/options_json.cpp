@@ -231,6 +231,8 @@ const std::vector<Row>& table() {
           [](const std::vector<int>& c) { return fmt::format("--classes {}", fmt::join(c, ",")); }),
       input<std::vector<int>>("returns", &InputOptions::returns,
                               [](const std::vector<int>& r) { return "--returns " + returns_text(r); }),
+      input<std::string>("weld", &InputOptions::weld,
+                         [](const std::string& t) { return t == "auto" ? "" : "--weld " + t; }),
       flag("height_field", &FitChoices::height_field, false, "--height-field"),
       named("spacing", &FitChoices::spacing, kSpacings, RowSpacing::chord, "--spacing"),
       flag("rescale_parameters", &FitChoices::rescale_parameters, false, "--rescale-parameters"),

@@ -70,7 +70,8 @@ int run_parameterize(const ParameterizeArguments& arguments) {
   set_thread_count(arguments.threads);
   TerminalProgress terminal(!arguments.quiet, 0);
   terminal.report({.stage = "read"});
-  const SourceData data = read_input(arguments.input, arguments.choices.input);
+  Index welded = 0;
+  const SourceData data = read_input(arguments.input, arguments.choices.input, false, &welded);
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
   if (mesh == nullptr)
     throw InvalidInput(input_name(arguments.input) +
@@ -96,10 +97,13 @@ int run_parameterize(const ParameterizeArguments& arguments) {
   terminal.clear();
   if (arguments.json) {
     nlohmann::ordered_json j = nlohmann::ordered_json::parse(mesh_to_json(mapped));
+    j["welded"] = welded;
+    j["notes"] = data.notes;
     j["outputs"] = arguments.output.paths;
     print(j.dump() + "\n");
   } else if (!arguments.quiet) {
     std::string text = mesh_to_text(mapped);
+    text += notes_to_text(reading_of(data));
     text += wrote(files);
     print(text);
   }

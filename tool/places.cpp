@@ -39,7 +39,9 @@ Places of_file(const EvalArguments& arguments, const SurfaceDocument& document) 
   const std::string& path = arguments.points;
   if (auto places = read_places_alone(path, arguments.input, document.height_field))
     return std::move(*places);
-  SourceData data = read_input(path, arguments.input);
+  InputOptions options = arguments.input;
+  options.every_vertex = true;  // each is a place to look at
+  SourceData data = read_input(path, options);
   Places places;
   if (const Raster* raster = std::get_if<Raster>(&data.content)) {
     if (!document.height_field)

@@ -1,6 +1,9 @@
 #include "surface_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "formats/json_document.h"
 #include "knotfit/cad.h"
@@ -22,6 +25,12 @@ KnotVector on_unit(const KnotVector& knots) {
   std::vector<double> moved;
   for (const double t : knots.knots()) moved.push_back(t == last ? 1 : (t - first) / (last - first));
   return KnotVector(knots.degree(), std::move(moved));
+}
+
+SurfaceDocument read_json_surface(const std::string& path) {
+  if (!is_dash(path)) return read_surface(path);
+  const FileBytes bytes = standard_input();
+  return surface_from_json(bytes.view(), bytes.path());
 }
 
 // Parameters of the file's own, with those of the surface in [0,1].
@@ -59,34 +68,60 @@ void refuse_idle_surface_options(const std::string& path, const SurfaceChoices& 
                        ": --unit does not apply to a JSON surface: it is the unit of STEP and IGES files");
 }
 
-std::vector<SurfaceDocument> read_surfaces(const std::string& path, const SurfaceChoices& choices) {
-  std::vector<SurfaceDocument> documents;
-  if (is_cad_file(path)) {
-    for (Surface& surface : read_cad(path, choices.unit.value_or(CadUnit::millimetre))) {
-      SurfaceDocument document;
-      document.surface = std::move(surface);
-      documents.push_back(with_unit_domain(std::move(document)));
-    }
-  } else if (is_dash(path)) {
-    const FileBytes bytes = standard_input();
-    documents.push_back(with_unit_domain(surface_from_json(bytes.view(), bytes.path())));
-  } else {
-    documents.push_back(with_unit_domain(read_surface(path)));
+std::vector<FileFace> read_faces(const std::string& path, const SurfaceChoices& choices) {
+  std::vector<FileFace> faces;
+  if (!is_cad_file(path)) {
+    faces.push_back({with_unit_domain(read_json_surface(path)), "B-spline surface", "", false});
+    return faces;
   }
-  return documents;
+  for (CadFace& face : read_cad_faces(path, choices.unit.value_or(CadUnit::millimetre))) {
+    FileFace& added = faces.emplace_back();
+    added.kind = std::move(face.kind);
+    added.why = std::move(face.why);
+    added.trimmed = face.trimmed;
+    if (!face.surface) continue;
+    added.document.emplace();
+    added.document->surface = std::move(*face.surface);
+    added.document = with_unit_domain(std::move(*added.document));
+  }
+  return faces;
 }
 
 SurfaceDocument read_one_surface(const std::string& path, const SurfaceChoices& choices) {
-  std::vector<SurfaceDocument> documents = read_surfaces(path, choices);
-  const std::size_t count = documents.size();
-  if (!choices.face && count > 1)
+  std::vector<FileFace> faces = read_faces(path, choices);
+  const std::size_t count = faces.size();
+  std::vector<std::size_t> usable;
+  for (std::size_t k = 0; k < count; ++k)
+    if (faces[k].document) usable.push_back(k + 1);
+  if (!choices.face && usable.size() == 1) return std::move(*faces[usable[0] - 1].document);
+  if (!choices.face && usable.size() == count)
     throw InvalidInput(
         fmt::format("{}: holds {} surfaces; choose one with --face 1 to {}", input_name(path), count, count));
-  const auto face = static_cast<std::size_t>(choices.face.value_or(1));
+  if (!choices.face && usable.size() > 1)
+    throw InvalidInput(fmt::format(
+        "{}: holds {} faces, of which {} are usable; choose one with --face {}{} (knotfit info lists them)",
+        input_name(path), count, usable.size(),
+        fmt::join(usable.begin(), usable.begin() + std::min<Index>(8, std::ssize(usable)), ", "),
+        usable.size() > 8 ? ", ..." : ""));
+  if (!choices.face) {
+    std::string why;
+    for (std::size_t k = 0; k < count && k < 4; ++k)
+      why += fmt::format("{}face {} is a {}: {}", k == 0 ? "" : "; ", k + 1, faces[k].kind, faces[k].why);
+    throw InvalidInput(fmt::format("{}: holds {} face{}, and no surface that is usable: {}{}",
+                                   input_name(path), count, count == 1 ? "" : "s", why,
+                                   count > 4 ? "; ..." : ""));
+  }
+  const auto face = static_cast<std::size_t>(*choices.face);
   if (face > count)
     throw InvalidInput(fmt::format("{}: --face {}: there {} {} surface{}", input_name(path), face,
                                    count == 1 ? "is" : "are", count, count == 1 ? "" : "s"));
-  return std::move(documents[face - 1]);
+  if (!faces[face - 1].document) {
+    std::string others;
+    if (!usable.empty()) others = fmt::format("; --face {} is usable", usable[0]);
+    throw InvalidInput(fmt::format("{}: --face {}: the face is a {}: {}{}", input_name(path), face,
+                                   faces[face - 1].kind, faces[face - 1].why, others));
+  }
+  return std::move(*faces[face - 1].document);
 }
 
 Surface surface_in_space(const SurfaceDocument& document, const std::string& otherwise) {

@@ -1,5 +1,6 @@
 // Files that hold surfaces: knotfit JSON, JSON of other programs, STEP and IGES.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,16 +12,23 @@ namespace knotfit::tool {
 bool holds_surfaces(const std::string& path, const InputOptions& options);
 bool is_cad_file(const std::string& path);
 
-/// Every surface of the file. Where it does not say how its parameters are meant, the knots are brought to [0,1]
-/// and the map tells their own range.
-std::vector<SurfaceDocument> read_surfaces(const std::string& path, const SurfaceChoices& choices);
+/// A face of the file: its surface, or why that is not usable.
+struct FileFace {
+  std::optional<SurfaceDocument> document;
+  std::string kind, why;  ///< as CadFace
+  bool trimmed = false;
+};
 
 /// --unit is given for a surface that has none: that of a JSON file.
 /// \throws InvalidInput  names the option
 void refuse_idle_surface_options(const std::string& path, const SurfaceChoices& choices);
 
-/// The one that --face names, or the only one.
-/// \throws InvalidInput  there are several, or none of that number
+/// Every face of a CAD file, in its order; the surface of a JSON file, or of "-" that of standard input. Where it does
+/// not say how its parameters are meant, the knots are brought to [0,1] and the map tells their own range.
+std::vector<FileFace> read_faces(const std::string& path, const SurfaceChoices& choices);
+
+/// The one that --face names, or the only one that is usable.
+/// \throws InvalidInput  there are several, none of that number, or none that is usable; says why
 SurfaceDocument read_one_surface(const std::string& path, const SurfaceChoices& choices);
 
 /// The surface in space that the document means: its own, or that of a height field over the user's x and y.

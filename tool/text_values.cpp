@@ -169,6 +169,19 @@ std::vector<double> parse_knots(std::string_view text) {
   return knots;
 }
 
+WeldChoice parse_weld(std::string_view text) {
+  if (text == "auto") return {};
+  if (text == "off") return {.off = true};
+  std::string_view number = text;
+  ToleranceValue tolerance;
+  tolerance.relative = drop_percent(number);
+  const std::optional<double> value = finite(number);
+  if (!value || *value < 0)
+    refuse(text, "auto, off, or a distance of 0 or more, in the data's unit or in % of the diagonal");
+  tolerance.value = *value;
+  return {.tolerance = tolerance};
+}
+
 CornerChoice parse_corners(std::string_view text) {
   constexpr const char* kWanted =
       "auto, sharpest, search, four vertices \"i,j,k,l\" or four places \"x,y,z;...\"";

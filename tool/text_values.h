@@ -70,6 +70,8 @@ std::pair<double, double> parse_cell(std::string_view text);
 std::vector<double> parse_knots(std::string_view text);
 /// "auto", "sharpest", "search"; "i,j,k,l"; "x,y,z;x,y,z;x,y,z;x,y,z".
 CornerChoice parse_corners(std::string_view text);
+/// "auto", "off", or a tolerance of 0 or more as parse_tolerance.
+WeldChoice parse_weld(std::string_view text);
 /// The words of kBases, a surface's file, or those of four curves.
 BaseChoice parse_base(std::string_view text);
 

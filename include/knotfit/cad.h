@@ -1,5 +1,6 @@
 // CAD exchange by OpenCASCADE: STEP and IGES. Compiled where KNOTFIT_WITH_CAD is on.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,20 @@ bool cad_available();
 void write_cad(const std::string& path, const std::vector<Surface>& surfaces, const CadOptions& options,
                bool force);
 
-/// The B-spline surfaces of a STEP or IGES file, in the unit asked for.
-/// \throws FileError  unreadable, or no B-spline surface in it; rational ones are refused by name
+/// A face of a CAD file: its surface, or why knotfit does not represent it.
+struct CadFace {
+  std::string kind;  ///< "B-spline surface", "rational B-spline surface", "plane", "cylindrical surface"
+  std::optional<Surface> surface;  ///< whole, without the face's borders; absent: not usable
+  std::string why;                 ///< it is not; empty: it is
+  bool trimmed = false;  ///< the face is a part of the surface: its borders run inside, or it has holes
+};
+
+/// Every face of a STEP or IGES file in its order, in the unit asked for.
+/// \throws FileError  unreadable, or no face in it
+std::vector<CadFace> read_cad_faces(const std::string& path, CadUnit unit = CadUnit::millimetre);
+
+/// The surfaces of the faces that are usable.
+/// \throws FileError  unreadable, or none is: says why each is not
 std::vector<Surface> read_cad(const std::string& path, CadUnit unit = CadUnit::millimetre);
 
 }  // namespace knotfit

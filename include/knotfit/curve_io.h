@@ -34,7 +34,7 @@ Curve curve_in_space(const CurveDocument& document);
 /// \throws InvalidInput  not in R^3, a jump, a single point; FileError, WriteError as write_file
 void write_cad_curve(const std::string& path, const Curve& curve, const CadOptions& options, bool force);
 /// The B-spline curves of a STEP or IGES file that belong to no face, in the unit asked for.
-/// \throws FileError  unreadable, rational, or none in it
+/// \throws FileError  unreadable, or none in it that is not rational
 std::vector<Curve> read_cad_curves(const std::string& path, CadUnit unit = CadUnit::millimetre);
 
 }  // namespace knotfit

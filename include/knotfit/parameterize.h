@@ -24,8 +24,9 @@ ParameterizedPoints parameterize_given(const PointTable& table, bool rescale = f
 
 /// Rows of points: u along a row by the spacing's rule, v from row to row likewise. Rows of one
 /// length make a grid, with the parameters of each direction averaged over its rows [Piegl97 9.3];
-/// rows of different lengths keep their own u.
-/// \throws InvalidInput  fewer than 2 rows, a row of fewer than 2 points or of no length
+/// rows of different lengths keep their own u. A row or column that is one point, a pole (shorter than 1e-6 of the
+/// longest), has no say in them: its points take those of the others, in rows of different lengths of their neighbour.
+/// \throws InvalidInput  fewer than 2 rows, a row of fewer than 2 points, all rows of no length
 ParameterizedPoints parameterize_rows(const PointRows& rows, RowSpacing spacing = RowSpacing::chord);
 
 /// Points with equal parameters. fail: throws InvalidInput, naming the lines, where their values

@@ -8,6 +8,10 @@ namespace knotfit {
 /// Keeps the faces whose entry is not 0, and notes which face of the file each came from.
 void keep_faces(Mesh& mesh, const std::vector<char>& keep);
 
+/// Keeps the vertices whose entry is not 0, and notes which vertex of the file each was. The faces name them already by
+/// their new numbers.
+void keep_vertices(Mesh& mesh, const std::vector<char>& keep);
+
 /// Fills face_source, vertex_source: what an empty one stands for.
 void name_sources(Mesh& mesh);
 

@@ -89,13 +89,9 @@ std::vector<Index> drop_unused_vertices(Mesh& mesh) {
       kept.push_back(static_cast<Index>(v));
     }
   if (kept.size() == used.size()) return kept;
-  name_sources(mesh);
   for (auto& c : mesh.faces)
     for (std::int32_t& v : c) v = place[v];
-  filter(mesh.vertices, used, 3);
-  filter(mesh.uv, used, 2);
-  filter(mesh.vertex_line, used);
-  filter(mesh.vertex_source, used);
+  keep_vertices(mesh, used);
   return kept;
 }
 
@@ -117,6 +113,14 @@ void keep_faces(Mesh& mesh, const std::vector<char>& keep) {
   filter(mesh.face_line, keep);
   filter(mesh.face_source, keep);
   filter(mesh.virtual_face, keep);
+}
+
+void keep_vertices(Mesh& mesh, const std::vector<char>& keep) {
+  name_sources(mesh);
+  filter(mesh.vertices, keep, 3);
+  filter(mesh.uv, keep, 2);
+  filter(mesh.vertex_line, keep);
+  filter(mesh.vertex_source, keep);
 }
 
 RepairedMesh repair(const Mesh& mesh, const MeshRepair& options) {

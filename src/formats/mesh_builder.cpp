@@ -86,15 +86,19 @@ void MeshBuilder::add_parameters(double u, double v) {
 }
 
 void MeshBuilder::set_corner_parameters(std::int32_t vertex, double u, double v) {
-  if (seam_) return;
+  if (!dropped_.empty()) return;
   const std::size_t at = 2 * static_cast<std::size_t>(vertex);
   if (corner_uv_.size() < at + 2) corner_uv_.resize(std::max(at + 2, 2 * mesh_.vertices.size() / 3), kNan);
   if (std::isnan(corner_uv_[at])) {
     corner_uv_[at] = u;
     corner_uv_[at + 1] = v;
   } else if (corner_uv_[at] != u || corner_uv_[at + 1] != v) {
-    seam_ = true;
+    seam_.push_back(vertex);
   }
+}
+
+void MeshBuilder::drop_parameters(const std::string& why) {
+  if (dropped_.empty()) dropped_ = why;
 }
 
 std::int32_t MeshBuilder::corner(double value, Index vertices, Index line) const {
@@ -126,19 +130,32 @@ PointTable MeshBuilder::points() const {
   return points;
 }
 
+void MeshBuilder::take_corner_parameters() {
+  std::sort(seam_.begin(), seam_.end());
+  const auto several = std::unique(seam_.begin(), seam_.end()) - seam_.begin();
+  if (several > 0)
+    return drop_parameters(
+        fmt::format("{} such as vertex {} (counted from {}) {} several, a seam between charts",
+                    several == 1 ? "one vertex" : fmt::format("{} vertices", several),
+                    seam_[0] + mesh_.counted_from, mesh_.counted_from, several == 1 ? "has" : "have"));
+  corner_uv_.resize(2 * mesh_.vertices.size() / 3, kNan);
+  std::vector<char> bare(mesh_.vertices.size() / 3, 0);
+  for (const auto& c : mesh_.faces)
+    for (const std::int32_t v : c) bare[v] = std::isnan(corner_uv_[2 * static_cast<std::size_t>(v)]);
+  if (const auto without = std::count(bare.begin(), bare.end(), 1); without > 0)
+    return drop_parameters(fmt::format("{} of the vertices {} none", without, without == 1 ? "has" : "have"));
+  // A vertex that no face uses has none: any will do.
+  for (double& x : corner_uv_)
+    if (std::isnan(x)) x = 0;
+  mesh_.uv = std::move(corner_uv_);
+}
+
 Mesh MeshBuilder::finish() {
   if (mesh_.faces.empty()) throw FileError(file_.path(), "the mesh has no faces");
-  if (mesh_.uv.empty() && !seam_ && !corner_uv_.empty()) {
-    corner_uv_.resize(2 * mesh_.vertices.size() / 3, kNan);
-    bool all = true;
-    for (const auto& c : mesh_.faces)
-      for (const std::int32_t v : c) all = all && !std::isnan(corner_uv_[2 * static_cast<std::size_t>(v)]);
-    if (all) {
-      // A vertex that no face uses has none: any will do.
-      for (double& x : corner_uv_)
-        if (std::isnan(x)) x = 0;
-      mesh_.uv = std::move(corner_uv_);
-    }
+  if (mesh_.uv.empty() && !corner_uv_.empty() && dropped_.empty()) take_corner_parameters();
+  if (!dropped_.empty()) {
+    mesh_.uv.clear();
+    notes_.push_back("the mesh's parameters (texture coordinates) are left aside: " + dropped_);
   }
   return std::move(mesh_);
 }

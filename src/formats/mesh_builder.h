@@ -31,6 +31,8 @@ class MeshBuilder {
   void add_parameters(double u, double v);
   /// A corner's own parameters: kept where all corners of each vertex agree, else dropped as a whole.
   void set_corner_parameters(std::int32_t vertex, double u, double v);
+  /// All parameters are left aside. \param why  for the notes: "face 3 (counted from 1) names texture vertex 9, ..."
+  void drop_parameters(const std::string& why);
 
   const double* vertex(Index k) const { return mesh_.vertex(k); }
   Index vertex_count() const { return mesh_.vertex_count(); }
@@ -49,13 +51,19 @@ class MeshBuilder {
   PointTable points() const;
   /// The mesh. \throws FileError  no faces
   Mesh finish();
+  /// What there is to say of the mesh after finish(): parameters that were left aside.
+  std::vector<std::string> notes() const { return notes_; }
 
  private:
+  void take_corner_parameters();
+
   const FileBytes& file_;
   Mesh mesh_;
   Index faces_ = 0;
-  std::vector<double> corner_uv_;  // n x 2, NaN: none yet
-  bool seam_ = false;
+  std::vector<double> corner_uv_;   // n x 2, NaN: none yet
+  std::vector<std::int32_t> seam_;  // vertices with several, each as often as it was seen
+  std::string dropped_;             // why there are no parameters
+  std::vector<std::string> notes_;
 };
 
 /// "vertices" or "faces" that a header claims against the bytes that follow, `least` bytes each at least.

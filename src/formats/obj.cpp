@@ -46,6 +46,10 @@ class ObjLines {
   std::string joined_;
 };
 
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
 /// A line's first word and the rest.
 std::pair<std::string_view, std::string_view> split_word(std::string_view line) {
   const char* const end = line.data() + line.size();
@@ -75,11 +79,16 @@ class ObjReader {
       for (std::size_t k = 0; k < uv_.size(); k += 2) builder_.add_parameters(uv_[k], uv_[k + 1]);
     if (faces_ == 0) return points();
     read_faces();
-    return {file_.path(), "obj", builder_.finish()};
+    Mesh mesh = builder_.finish();
+    const std::vector<std::string> said = builder_.notes();
+    notes_.insert(notes_.end(), said.begin(), said.end());
+    return {.path = file_.path(), .format = "obj", .content = std::move(mesh), .notes = notes_};
   }
 
  private:
   void count_lines() {
+    Index unknown = 0, first = 0;
+    std::string name;
     ObjLines lines(text_);
     TextLine line;
     while (lines.next(line)) {
@@ -92,10 +101,15 @@ class ObjReader {
         ++faces_;
         triangles_ += std::max<Index>(count_numbers(rest) - 2, 0);
       } else if (!word.empty() && kIgnored.find(fmt::format(" {} ", word)) == std::string_view::npos) {
-        throw FileError(file_.path(), static_cast<long long>(line.number),
-                        fmt::format("{} is no keyword of an OBJ file", in_quotes(word)));
+        if (!is_letter(word[0]))
+          throw FileError(file_.path(), static_cast<long long>(line.number),
+                          fmt::format("{} is no keyword of an OBJ file", in_quotes(word)));
+        if (unknown++ == 0) first = line.number, name = in_quotes(word);
       }
     }
+    if (unknown > 0)
+      notes_.push_back(fmt::format("line {}: {} is no keyword of an OBJ file: {} left out", first, name,
+                                   unknown == 1 ? "the line is" : fmt::format("{} such lines are", unknown)));
   }
 
   void read_vertices() {
@@ -107,14 +121,12 @@ class ObjReader {
         LineNumbers numbers(file_, line, rest, "vertex");
         double xyz[3];
         for (double& x : xyz) x = faces_ == 0 ? number_or_none(numbers, line) : numbers.number();
-        // A weight or a colour may follow.
-        while (!numbers.at_end()) numbers.number();
         if (faces_ == 0) check_point(xyz);
-        builder_.add_vertex(xyz, line.number);
+        builder_.add_vertex(xyz, line.number);  // a weight or a colour may follow
       } else if (word == "vt") {
         LineNumbers numbers(file_, line, rest, "texture vertex");
-        uv_.push_back(numbers.number());
-        uv_.push_back(numbers.at_end() ? 0 : numbers.number());
+        uv_.push_back(numbers.number_or_nan());
+        uv_.push_back(numbers.at_end() ? 0 : numbers.number_or_nan());
       }
     }
   }
@@ -142,6 +154,7 @@ class ObjReader {
 
   SourceData points() {
     SourceData data{.path = file_.path(), .format = "obj", .content = PointTable{}};
+    data.notes = notes_;
     PointTable table = builder_.points();
     drop_points(table, missing_);
     data.left_out = static_cast<Index>(missing_.size()) + drop_far_nodata(table, options_.nodata);
@@ -166,24 +179,28 @@ class ObjReader {
       while (!tokens.at_end()) {
         const std::string_view token = tokens.token();
         const std::size_t slash = token.find('/');
-        const Index v = index(token.substr(0, slash), "vertex", vertices, vertices_, line);
+        const auto [v, wrong] = index(token.substr(0, slash), "vertex", vertices, vertices_, line);
+        if (v < 0) builder_.fail(line.number, wrong);
         corners.push_back(static_cast<std::int32_t>(v));
         if (slash == std::string_view::npos) continue;
         const std::string_view tail = token.substr(slash + 1);
         const std::string_view vt = tail.substr(0, tail.find('/'));
         if (vt.empty()) continue;
-        const Index t = index(vt, "texture vertex", parameters, parameters_, line);
-        builder_.set_corner_parameters(corners.back(), uv_[2 * static_cast<std::size_t>(t)],
-                                       uv_[2 * static_cast<std::size_t>(t) + 1]);
+        const auto [t, no_such] = index(vt, "texture vertex", parameters, parameters_, line);
+        if (t < 0)
+          builder_.drop_parameters(fmt::format("line {}: {}", line.number, no_such));
+        else
+          builder_.set_corner_parameters(corners.back(), uv_[2 * static_cast<std::size_t>(t)],
+                                         uv_[2 * static_cast<std::size_t>(t) + 1]);
       }
       builder_.check_corners(static_cast<Index>(corners.size()), vertices_, line.number);
       builder_.add_face(corners, line.number, vertices_);
     }
   }
 
-  /// From 0, of a number from 1 or one that counts back from the last so far.
-  Index index(std::string_view token, const char* what, Index so_far, Index there_are,
-              const TextLine& line) const {
+  /// From 0, of a number from 1 or one that counts back from the last so far; -1 and why where there is none.
+  std::pair<Index, std::string> index(std::string_view token, const char* what, Index so_far, Index there_are,
+                                      const TextLine& line) const {
     Index k = 0;
     const auto [next, error] = std::from_chars(token.data(), token.data() + token.size(), k);
     const auto face = builder_.face_count() + 1;
@@ -191,11 +208,10 @@ class ObjReader {
       builder_.fail(line.number, fmt::format("face {} (counted from 1): {} is no number of a {}", face,
                                              in_quotes(token), what));
     const Index at = k < 0 ? so_far + k : k - 1;
-    if (at < 0 || at >= there_are)
-      builder_.fail(line.number, fmt::format("face {} (counted from 1) names {} {}, but {}", face, what, k,
-                                             k < 0 ? fmt::format("only {} stand before it", so_far)
-                                                   : fmt::format("there are {}, counted from 1", there_are)));
-    return at;
+    if (at >= 0 && at < there_are) return {at, ""};
+    return {-1, fmt::format("face {} (counted from 1) names {} {}, but {}", face, what, k,
+                            k < 0 ? fmt::format("only {} stand before it", so_far)
+                                  : fmt::format("there are {}, counted from 1", there_are))};
   }
 
   const FileBytes& file_;
@@ -203,8 +219,9 @@ class ObjReader {
   std::string_view text_;
   MeshBuilder builder_;
   Index vertices_ = 0, parameters_ = 0, faces_ = 0, triangles_ = 0;
-  std::vector<double> uv_;      // of vt lines
+  std::vector<double> uv_;      // of vt lines; NaN: not finite, or no number
   std::vector<Index> missing_;  // of points without faces
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

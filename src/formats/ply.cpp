@@ -74,18 +74,30 @@ class PlyReader {
       else
         skip(element);
     }
-    rows_->end_file();
-    if (face_ != nullptr) return {file_.path(), "ply", builder_.finish()};
-    SourceData data{.path = file_.path(), .format = "ply", .content = PointTable{}};
-    drop_points(points_, missing_);
-    data.left_out = static_cast<Index>(missing_.size()) + drop_far_nodata(points_, options_.nodata);
-    if (points_.z.empty()) throw FileError(file_.path(), "every point has the nodata value");
-    if (data.left_out > 0) data.notes.push_back(left_out_note(data.left_out, *options_.nodata));
-    data.content = std::move(points_);
-    return data;
+    std::vector<std::string> notes;
+    if (std::string after = rows_->end_file(); !after.empty()) notes.push_back(std::move(after));
+    return face_ != nullptr ? mesh(std::move(notes)) : points(std::move(notes));
   }
 
  private:
+  SourceData mesh(std::vector<std::string> notes) {
+    Mesh mesh = builder_.finish();
+    const std::vector<std::string> said = builder_.notes();
+    notes.insert(notes.end(), said.begin(), said.end());
+    return {.path = file_.path(), .format = "ply", .content = std::move(mesh), .notes = std::move(notes)};
+  }
+
+  SourceData points(std::vector<std::string> notes) {
+    drop_points(points_, missing_);
+    const Index left_out = static_cast<Index>(missing_.size()) + drop_far_nodata(points_, options_.nodata);
+    if (points_.z.empty()) throw FileError(file_.path(), "every point has the nodata value");
+    if (left_out > 0) notes.push_back(left_out_note(left_out, *options_.nodata));
+    SourceData data{.path = file_.path(), .format = "ply", .content = std::move(points_)};
+    data.notes = std::move(notes);
+    data.left_out = left_out;
+    return data;
+  }
+
   bool text() const { return header_.encoding == PlyEncoding::ascii; }
 
   void skip_property(const PlyProperty& p) { rows_->skip(p.type, p.list ? rows_->next_count(p) : 1); }
@@ -129,13 +141,17 @@ class PlyReader {
   void take_vertex(double* value, Index row) {
     const Index line = rows_->line();
     clear_unknown_normal(value);
+    const auto matters = [this](Role role) {  // of a mesh the places alone: its parameters may be left aside
+      return role == Role::x || role == Role::y || role == Role::z ||
+             (face_ == nullptr && role != Role::skip);
+    };
     bool finite = true;
     for (const Role role : roles_)
-      finite = finite && (role == Role::skip || std::isfinite(value[static_cast<int>(role)]));
+      finite = finite && (!matters(role) || std::isfinite(value[static_cast<int>(role)]));
     const bool misses = face_ == nullptr && misses_value(value[2], finite, options_.nodata);
     if (misses) missing_.push_back(row);
     for (const Role role : roles_)
-      if (!misses && role != Role::skip && !std::isfinite(value[static_cast<int>(role)]))
+      if (!misses && matters(role) && !std::isfinite(value[static_cast<int>(role)]))
         builder_.fail(line,
                       fmt::format("vertex {} (counted from 0): {} is not finite{}{}", row, role_name(role),
                                   face_ == nullptr ? "; " : "", face_ == nullptr ? kLeaveOut : ""));

@@ -78,13 +78,12 @@ class BinaryRows : public PlyRows {
     return found;
   }
   void end_row() override {}
-  void end_file() override {
+  std::string end_file() override {
     // Some writers end binary data with a line end.
     while (at_ < end_ && (*at_ == '\n' || *at_ == '\r')) ++at_;
-    if (at_ < end_)
-      throw FileError(file_.path(),
-                      fmt::format("{} bytes follow the last {} that the header claims", end_ - at_,
-                                  element_ != nullptr ? element_->name : "element"));
+    if (at_ == end_) return "";
+    return fmt::format("{} bytes follow the last {} that the header claims: left out", end_ - at_,
+                       element_ != nullptr ? element_->name : "element");
   }
   Index line() const override { return 0; }
 
@@ -155,7 +154,12 @@ class TextRows : public PlyRows {
     return static_cast<Index>(count);
   }
   void skip(NumberType type, Index count) override {
-    for (Index k = 0; k < count; ++k) next(type);
+    static_cast<void>(type);
+    for (Index k = 0; k < count; ++k) {
+      at_ = skip_blanks(at_, end_);
+      if (at_ == end_) fail("the line has too few numbers");
+      at_ = field_end(at_, end_, Separator::blanks);  // whatever it is: it is left out
+    }
   }
   Index triangles(const PlyElement& element, const PlyProperty&, Index) const override {
     return std::max<Index>(count_numbers(lines_.rest()) - 3 * element.count, 0);
@@ -163,11 +167,14 @@ class TextRows : public PlyRows {
   void end_row() override {
     if (skip_blanks(at_, end_) != end_) fail("the line has more numbers than the header says");
   }
-  void end_file() override {
+  std::string end_file() override {
+    Index first = 0, count = 0;
     while (lines_.next(line_))
-      if (!line_.text.empty())
-        throw FileError(file_.path(), static_cast<long long>(line()),
-                        "data after the last row that the header claims");
+      if (!line_.text.empty() && count++ == 0) first = line();
+    if (count == 0) return "";
+    return fmt::format("{} after the last {} that the header claims, from line {}: left out",
+                       count == 1 ? "a line" : fmt::format("{} lines", count),
+                       element_ != nullptr ? element_->name : "element", first);
   }
   Index line() const override { return line_.number + header_lines_; }
 

@@ -1,6 +1,7 @@
 // The data of a PLY file, row by row: the same calls for text and for bytes.
 #pragma once
 #include <memory>
+#include <string>
 
 #include "formats/ply_header.h"
 namespace knotfit {
@@ -22,8 +23,8 @@ class PlyRows {
   /// `most`, ends the count.
   virtual Index triangles(const PlyElement& element, const PlyProperty& corners, Index most) const = 0;
   virtual void end_row() = 0;
-  /// \throws FileError  data after the last element
-  virtual void end_file() = 0;
+  /// \return what follows the last element, a sentence; empty where nothing does
+  virtual std::string end_file() = 0;
   /// Line of the row at hand, from 1; 0: binary.
   virtual Index line() const = 0;
 };

@@ -97,7 +97,9 @@ const Format* by_extension(std::string_view extension) {
 const Format* by_content(std::string_view bytes) {
   if (bytes.starts_with(kNpyMagic)) return by_name("npy");
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return by_name("ply");
-  if (bytes.starts_with("OFF")) return by_name("off");
+  if (bytes.starts_with("OFF") || bytes.starts_with("off ") || bytes.starts_with("off\n") ||
+      bytes.starts_with("off\r"))
+    return by_name("off");
   if (bytes.starts_with("LASF")) return by_name("las");
   if (bytes.starts_with("# .PCD")) return by_name("pcd");
   return looks_like_esri_ascii(bytes) ? by_name("esri-ascii") : nullptr;

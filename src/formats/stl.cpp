@@ -66,6 +66,7 @@ class Welder {
 };
 
 bool begins_with_solid(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t at = bytes.find_first_not_of(" \t\r\n");
   return at != std::string_view::npos && lower_case(bytes.substr(at, 5)) == "solid";
 }
@@ -84,17 +85,24 @@ SourceData read_binary(const FileBytes& file) {
                                                                          "\"solid\" at its beginning nor "
                                                                          "a header of {}",
                                                                          bytes.size(), kHeader)));
-  const std::size_t count = claimed_triangles(bytes), left = bytes.size() - kHeader;
+  std::size_t count = claimed_triangles(bytes);
+  const std::size_t left = bytes.size() - kHeader;
   if (count > left / kTriangle)
     throw FileError(file.path(),
                     fmt::format("the header claims {} triangles, which take {} bytes, but only {} bytes "
                                 "follow it (room for {}); it is cut off, or no binary STL file",
                                 count, count * kTriangle, left, left / kTriangle));
-  if (count * kTriangle != left)
-    throw FileError(file.path(),
-                    fmt::format("the header claims {} triangles, which take {} bytes, but {} bytes "
-                                "follow it; it is damaged, or no binary STL file",
-                                count, count * kTriangle, left));
+  std::vector<std::string> notes;
+  if (count == 0 && left > 0 && left % kTriangle == 0) {
+    // A count that was never filled in.
+    count = left / kTriangle;
+    notes.push_back(fmt::format("the header claims 0 triangles, but the bytes of {} follow it: read", count));
+  } else if (count > 0 && count * kTriangle < left) {
+    const std::size_t more = left - count * kTriangle;
+    notes.push_back(
+        fmt::format("{} bytes follow the last of the {} triangles that the header claims{}: left out", more,
+                    count, more % kTriangle == 0 ? fmt::format(", room for {} more", more / kTriangle) : ""));
+  }
   if (count == 0) throw FileError(file.path(), "the header claims 0 triangles");
   MeshBuilder builder(file, 0);
   const auto triangles = static_cast<Index>(count);
@@ -119,92 +127,202 @@ SourceData read_binary(const FileBytes& file) {
     }
     builder.add_face(corners, 0, builder.vertex_count());
   }
-  return {file.path(), "stl", builder.finish()};
+  return {.path = file.path(), .format = "stl", .content = builder.finish(), .notes = std::move(notes)};
 }
 
-/// solid { facet normal .. outer loop vertex .. x 3 endloop endfacet } endsolid, one or more.
+/// Words of a text parted by blanks and line ends, without comments.
+class Words {
+ public:
+  explicit Words(std::string_view all) : at_(all.data()), end_(all.data() + all.size()) {}
+  Index line() const { return line_; }
+  /// The next word, in `word` in lower case too. \return false at the end
+  bool next() {
+    for (;;) {
+      while (at_ < end_ && (is_blank(*at_) || *at_ == '\n')) step();
+      if (at_ == end_) return false;
+      if (*at_ != '#' && *at_ != ';' && !std::string_view(at_, left()).starts_with("//")) break;
+      skip_line();
+    }
+    const char* const begin = at_;
+    while (at_ < end_ && !is_blank(*at_) && *at_ != '\n') ++at_;
+    text = {begin, static_cast<std::size_t>(at_ - begin)};
+    word = lower_case(text.substr(0, 64));
+    return true;
+  }
+  void skip_line() { at_ += std::min(rest_of_line().size(), left()); }
+  /// After a solid's name, which may be any words: the end of the line, or a facet that begins in it.
+  void skip_name() {
+    const std::string rest = lower_case(rest_of_line());
+    for (std::size_t at = rest.find("facet"); at != std::string::npos; at = rest.find("facet", at + 1)) {
+      if (at == 0 || !is_blank(rest[at - 1])) continue;
+      const std::size_t after = std::min(rest.find_first_not_of(" \t", at + 5), rest.size());
+      if (after == at + 5 ||
+          !(rest.substr(after).starts_with("normal") || rest.substr(after).starts_with("outer")))
+        continue;
+      at_ += at;
+      return;
+    }
+    skip_line();
+  }
+
+  std::string_view text;
+  std::string word;
+
+ private:
+  std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+  std::string_view rest_of_line() const {
+    const std::string_view rest(at_, left());
+    return rest.substr(0, rest.find_first_of("\n\r"));
+  }
+  void step() {
+    // CR LF is one line end, and so is CR alone.
+    line_ += *at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] != '\n'));
+    ++at_;
+  }
+  const char* at_;
+  const char* end_;
+  Index line_ = 1;
+};
+
+/// solid { facet normal .. outer loop vertex .. x 3 endloop endfacet } endsolid, one or more, on as many lines as the
+/// writer liked; "end loop" is endloop. What else stands between, such as colours, is left out.
 class TextReader {
  public:
   explicit TextReader(const FileBytes& file)
-      : file_(file), text_(text_of(file)), lines_(text_), builder_(file, 0), welder_(builder_, 0) {}
+      : file_(file), words_(text_of(file)), builder_(file, 0), welder_(builder_, 0) {}
 
   SourceData read() {
-    bool open = false;
+    bool open = false, solids = false;
     while (next()) {
       if (word_ == "solid") {
         if (open) fail("a second solid before endsolid");
-        open = true;
+        open = solids = true;
+        words_.skip_name();
       } else if (word_ == "endsolid") {
         if (!open) fail("endsolid before solid");
         open = false;
+        words_.skip_name();
       } else if (word_ == "facet") {
-        if (!open) fail("a facet before solid");
+        if (solids && !open) fail("a facet before solid");
         read_facet();
+      } else if (is_structure(word_)) {
+        fail(fmt::format("{} where facet or endsolid is due", in_quotes(text_)));
       } else {
-        fail(fmt::format("{} where facet or endsolid is due", in_quotes(word_)));
+        leave_out();
+        words_.skip_line();
       }
     }
     if (open) throw FileError(file_.path(), "the file ends before endsolid: it is cut off");
-    return {file_.path(), "stl", builder_.finish()};
+    std::vector<std::string> notes;
+    if (left_out_ > 0)
+      notes.push_back(fmt::format("line {}: {} is no word of an STL file: left out{}", left_out_line_,
+                                  in_quotes(left_out_word_),
+                                  left_out_ == 1 ? "" : fmt::format(", like {} more", left_out_ - 1)));
+    return {.path = file_.path(), .format = "stl", .content = builder_.finish(), .notes = std::move(notes)};
   }
 
  private:
   [[noreturn]] void fail(const std::string& message) const {
-    throw FileError(file_.path(), static_cast<long long>(line_.number), message);
+    throw FileError(file_.path(), static_cast<long long>(line_), message);
   }
-  /// The next line that is not blank, and its first word in lower case.
-  bool next() {
-    while (lines_.next(line_)) {
-      if (line_.text.empty()) continue;
-      const std::size_t end = std::min(line_.text.find_first_of(" \t"), line_.text.size());
-      word_ = lower_case(line_.text.substr(0, std::min<std::size_t>(end, 64)));
-      rest_ = line_.text.substr(end);
-      return true;
-    }
+  static bool is_structure(const std::string& word) {
+    for (const char* known :
+         {"solid", "endsolid", "facet", "endfacet", "outer", "outerloop", "loop", "endloop", "vertex"})
+      if (word == known) return true;
     return false;
   }
+  static bool is_number(std::string_view text) {
+    return parse_number(text).status != NumberStatus::not_a_number;
+  }
+  /// The next word, "end loop" as one.
+  bool next() {
+    if (!words_.next()) return false;
+    line_ = words_.line();
+    word_ = words_.word;
+    text_ = words_.text;
+    if (word_ != "end") return true;
+    const Words before = words_;
+    if (words_.next() && (words_.word == "solid" || words_.word == "facet" || words_.word == "loop"))
+      word_ += words_.word;
+    else
+      words_ = before;
+    return true;
+  }
+  void leave_out() {
+    if (left_out_++ > 0) return;
+    left_out_line_ = line_;
+    left_out_word_ = text_;
+  }
+  /// The next word of the structure: numbers before it, such as a normal or a colour, are left out.
+  void next_structure(const char* due) {
+    for (;;) {
+      if (!next())
+        throw FileError(file_.path(), fmt::format("the file ends where {} is due: it is cut off", due));
+      if (is_structure(word_)) return;
+      if (word_ != "normal" && !is_number(text_)) leave_out();
+    }
+  }
   void expect(const char* word) {
-    if (!next())
-      throw FileError(file_.path(), fmt::format("the file ends where {} is due: it is cut off", word));
-    if (word_ != word) fail(fmt::format("{} where {} is due", in_quotes(word_), word));
+    next_structure(word);
+    if (word_ != word) fail(fmt::format("{} where {} is due", in_quotes(text_), word));
+  }
+  double coordinate() {
+    const Index line = line_;
+    if (!words_.next()) throw FileError(file_.path(), "the file ends inside a vertex: it is cut off");
+    line_ = words_.line();
+    if (is_structure(words_.word) && line_ != line) {
+      line_ = line;
+      fail("the vertex has too few numbers");
+    }
+    return LineNumbers(file_, {words_.text, line_}, words_.text, "vertex").number();
   }
   void read_facet() {
-    const Index line = line_.number;
-    expect("outer");
-    std::int32_t corners[3];
-    for (std::int32_t& corner : corners) {
-      expect("vertex");
-      LineNumbers numbers(file_, line_, rest_, "vertex");
+    const Index line = line_;
+    next_structure("outer");
+    if (word_ != "outer" && word_ != "outerloop")
+      fail(fmt::format("{} where outer is due", in_quotes(text_)));
+    corners_.clear();
+    for (;;) {
+      next_structure(corners_.size() < 3 ? "vertex" : "endloop");
+      if (word_ == "loop" && corners_.empty()) continue;
+      if (word_ == "endloop" && corners_.size() >= 3) break;
+      if (word_ != "vertex")
+        fail(fmt::format("{} where {} is due", in_quotes(text_), corners_.size() < 3 ? "vertex" : "endloop"));
+      const Index at = line_;
       double xyz[3];
-      for (double& x : xyz) x = numbers.number();
-      if (!numbers.at_end()) fail("the vertex has more than three numbers");
-      corner = welder_.vertex(xyz, line_.number);
+      for (double& x : xyz) x = coordinate();
+      corners_.push_back(welder_.vertex(xyz, at));
     }
-    expect("endloop");
     expect("endfacet");
-    builder_.add_face(corners, line, builder_.vertex_count());
+    builder_.add_face(corners_, line, builder_.vertex_count());
   }
 
   const FileBytes& file_;
-  std::string_view text_;
-  LineReader lines_;
-  TextLine line_;
-  std::string word_;
-  std::string_view rest_;
+  Words words_;
+  std::string word_;       // in lower case
+  std::string_view text_;  // as it stands
+  Index line_ = 0;
   MeshBuilder builder_;
   Welder welder_;
+  std::vector<std::int32_t> corners_;
+  Index left_out_ = 0, left_out_line_ = 0;
+  std::string left_out_word_;
 };
+
+/// Text says "solid" first, but so do headers of binary files: their bytes hold zeros, text none but at its end.
+bool is_text(std::string_view bytes) {
+  if (bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * claimed_triangles(bytes)) return false;
+  bytes = bytes.substr(0, bytes.find_last_not_of('\0') + 1);
+  if (begins_with_solid(bytes) && bytes.find('\0') == std::string_view::npos) return true;
+  const std::string head = lower_case(bytes.substr(0, 4096));
+  return head.find('\0') == std::string::npos && head.find("facet") != std::string::npos &&
+         head.find("vertex") != std::string::npos;
+}
 
 }  // namespace
 
 SourceData read_stl(const FileBytes& file, const ReadOptions&) {
-  const std::string_view bytes = file.view();
-  // Binary files may begin with "solid" too: their size tells.
-  const bool binary =
-      bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * claimed_triangles(bytes);
-  if (!binary && begins_with_solid(bytes) && bytes.find('\0') == std::string_view::npos)
-    return TextReader(file).read();
-  return read_binary(file);
+  return is_text(file.view()) ? TextReader(file).read() : read_binary(file);
 }
 
 }  // namespace knotfit

@@ -46,12 +46,9 @@ Index count_numbers(std::string_view text) {
 }
 
 std::string_view without_end_mark(std::string_view text) {
-  const std::size_t mark = text.find('\x1A');
-  if (mark == std::string_view::npos) return text;
-  const bool padding = std::all_of(text.begin() + static_cast<std::ptrdiff_t>(mark), text.end(), [](char c) {
-    return c == '\x1A' || c == '\0' || c == '\n' || is_blank(c);
-  });
-  return padding ? text.substr(0, mark) : text;
+  const std::size_t last = text.find_last_not_of(std::string_view("\0\x1A\n\r \t\f\v", 8));
+  return text.substr(
+      0, text.find_first_of(std::string_view("\0\x1A", 2), last == std::string_view::npos ? 0 : last + 1));
 }
 
 std::string_view text_of(const FileBytes& file) {

@@ -45,10 +45,10 @@ class LineReader {
 /// Words of a text, parted by blanks and line ends.
 Index count_numbers(std::string_view text);
 
-/// The text before a Ctrl-Z (DOS and CP/M end a text with it) that has nothing but padding behind it.
+/// The text before a Ctrl-Z (DOS and CP/M end a text with it) or zero bytes that have nothing but padding behind them.
 std::string_view without_end_mark(std::string_view text);
 
-/// The text of a file after its byte order mark, and before a Ctrl-Z at its end.
+/// The text of a file after its byte order mark, and before a Ctrl-Z or zero bytes at its end.
 /// \throws FileError  not text (a zero byte), or UTF-16
 std::string_view text_of(const FileBytes& file);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "formats/number.h"
 #include "knotfit/errors.h"
@@ -23,6 +24,13 @@ std::string_view LineNumbers::token() {
   const char* const begin = at_;
   while (at_ < end_ && !is_blank(*at_)) ++at_;
   return {begin, static_cast<std::size_t>(at_ - begin)};
+}
+
+double LineNumbers::number_or_nan() {
+  const ParsedNumber parsed = parse_number(token());
+  return parsed.status == NumberStatus::ok && std::isfinite(parsed.value)
+             ? parsed.value
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 double LineNumbers::number() {

@@ -15,6 +15,8 @@ class LineNumbers {
   std::string_view token();
   /// The next number. \throws FileError  none is left, not a number, not finite
   double number();
+  /// The next number, NaN where it is none or not finite: of what may be left aside. \throws FileError  none is left
+  double number_or_nan();
 
  private:
   const FileBytes& file_;

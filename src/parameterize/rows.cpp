@@ -84,37 +84,45 @@ Window data_window(const PointRows& rows, Index columns) {
   return w;
 }
 
-// A row whose points are all equal has no parameters of its own, whatever the others say.
-void check_grid_rows(const PointRows& rows, Index columns, RowSpacing spacing) {
-  if (spacing == RowSpacing::uniform) return;
-  for (Index r = 0; r < rows.rows(); ++r) {
-    Index first = -1, others = 0;
-    bool equal = true;
-    for (Index k = r * columns; k < (r + 1) * columns && equal; ++k) {
-      if (hole(rows, k)) continue;
-      if (first < 0)
-        first = k;
-      else
-        ++others, equal = std::equal(&rows.xyz[3 * k], &rows.xyz[3 * k] + 3, &rows.xyz[3 * first]);
-    }
-    if (equal && others > 0) no_length(rows, r);
-  }
+// Lines of a grid that are one point, a pole: shorter than this share of the longest. Their noise would be read as
+// parameters; that of single precision about a pole is 1e-7 of it.
+constexpr double kPole = 1e-6;
+
+// Sets the lengths of poles to 0, so that the other lines give their parameters.
+void silence_poles(std::vector<double>& lengths, const std::vector<double>& chords, Index gaps) {
+  if (gaps < 1) return;
+  const Index lines = static_cast<Index>(chords.size()) / gaps;
+  std::vector<double> length(static_cast<std::size_t>(lines), 0);
+  for (Index k = 0; k < lines * gaps; ++k)
+    if (!std::isnan(chords[k])) length[k / gaps] += chords[k];
+  const double longest = lines > 0 ? *std::max_element(length.begin(), length.end()) : 0;
+  for (Index k = 0; k < lines * gaps; ++k)
+    if (!std::isnan(chords[k]) && length[k / gaps] <= kPole * longest) lengths[k] = 0;
 }
 
 ParameterizedPoints parameterize_grid(const PointRows& rows, Index columns, RowSpacing spacing) {
   const Window w = data_window(rows, columns);
-  check_grid_rows(rows, columns, spacing);
-  auto length = [&](Index a, Index b) {
-    return hole(rows, a) || hole(rows, b) ? (spacing == RowSpacing::uniform ? 1 : kHole)
-                                          : spacing_length(&rows.xyz[3 * a], &rows.xyz[3 * b], spacing);
+  const auto lengths_of = [&](RowSpacing rule, bool of_rows) {
+    std::vector<double> lengths;
+    const auto add = [&](Index a, Index b) {
+      lengths.push_back(hole(rows, a) || hole(rows, b)
+                            ? (rule == RowSpacing::uniform ? 1 : kHole)
+                            : spacing_length(&rows.xyz[3 * a], &rows.xyz[3 * b], rule));
+    };
+    if (of_rows) {
+      for (Index r = w.first_row; r <= w.last_row; ++r)
+        for (Index c = w.first_column; c < w.last_column; ++c) add(r * columns + c, r * columns + c + 1);
+    } else {
+      for (Index c = w.first_column; c <= w.last_column; ++c)
+        for (Index r = w.first_row; r < w.last_row; ++r) add(r * columns + c, (r + 1) * columns + c);
+    }
+    return lengths;
   };
-  std::vector<double> along, across;
-  for (Index r = w.first_row; r <= w.last_row; ++r)
-    for (Index c = w.first_column; c < w.last_column; ++c)
-      along.push_back(length(r * columns + c, r * columns + c + 1));
-  for (Index c = w.first_column; c <= w.last_column; ++c)
-    for (Index r = w.first_row; r < w.last_row; ++r)
-      across.push_back(length(r * columns + c, (r + 1) * columns + c));
+  std::vector<double> along = lengths_of(spacing, true), across = lengths_of(spacing, false);
+  if (spacing != RowSpacing::uniform) {
+    silence_poles(along, lengths_of(RowSpacing::chord, true), w.last_column - w.first_column);
+    silence_poles(across, lengths_of(RowSpacing::chord, false), w.last_row - w.first_row);
+  }
   const std::vector<double> u = averaged_parameters(along, w.last_column - w.first_column);
   const std::vector<double> v = averaged_parameters(across, w.last_row - w.first_row);
   if (u.empty())
@@ -134,7 +142,8 @@ ParameterizedPoints parameterize_grid(const PointRows& rows, Index columns, RowS
 // One row without its holes, and the place on it at any u.
 struct Row {
   std::vector<Index> point;
-  std::vector<double> u;
+  std::vector<double> u;  // empty: the row is one point
+  double length = 0;      // of its chords
 };
 
 Row own_parameters(const PointRows& rows, Index r, RowSpacing spacing) {
@@ -145,11 +154,40 @@ Row own_parameters(const PointRows& rows, Index r, RowSpacing spacing) {
     throw InvalidInput(fmt::format("{} has {} points that are no holes: a row needs at least 2",
                                    row_name(rows, r), row.point.size()));
   std::vector<double> lengths;
-  for (std::size_t i = 1; i < row.point.size(); ++i)
-    lengths.push_back(spacing_length(&rows.xyz[3 * row.point[i - 1]], &rows.xyz[3 * row.point[i]], spacing));
+  for (std::size_t i = 1; i < row.point.size(); ++i) {
+    const double *a = &rows.xyz[3 * row.point[i - 1]], *b = &rows.xyz[3 * row.point[i]];
+    lengths.push_back(spacing_length(a, b, spacing));
+    row.length += spacing_length(a, b, RowSpacing::chord);
+  }
   row.u = cumulative_parameters(lengths);
-  if (row.u.empty()) no_length(rows, r);
   return row;
+}
+
+// A row that is one point goes with its neighbour: the same parameters where both have as many points.
+void take_neighbours(const PointRows& rows, std::vector<Row>& own, RowSpacing spacing) {
+  double longest = 0;
+  for (const Row& row : own) longest = std::max(longest, row.length);
+  if (spacing != RowSpacing::uniform)
+    for (Row& row : own)
+      if (row.length <= kPole * longest) row.u.clear();
+  const std::vector<Row> given = own;
+  const auto n = static_cast<Index>(own.size());
+  for (Index r = 0; r < n; ++r) {
+    if (!given[r].u.empty()) continue;
+    Index from = -1;
+    for (Index step = 1; step < n && from < 0; ++step) {
+      if (r + step < n && !given[r + step].u.empty()) from = r + step;
+      if (r - step >= 0 && !given[r - step].u.empty() && from < 0) from = r - step;
+    }
+    if (from < 0) no_length(rows, r);
+    const std::vector<double>& u = given[from].u;
+    const auto count = static_cast<Index>(own[r].point.size()), last = static_cast<Index>(u.size()) - 1;
+    for (Index i = 0; i < count; ++i) {
+      const double at = static_cast<double>(i * last) / static_cast<double>(count - 1);
+      const Index k = std::min(static_cast<Index>(at), last - 1);
+      own[r].u.push_back(std::lerp(u[k], u[k + 1], at - static_cast<double>(k)));
+    }
+  }
 }
 
 std::vector<double> place_on(const PointRows& rows, const Row& row, double u) {
@@ -165,6 +203,7 @@ std::vector<double> place_on(const PointRows& rows, const Row& row, double u) {
 ParameterizedPoints parameterize_ragged(const PointRows& rows, RowSpacing spacing) {
   std::vector<Row> own;
   for (Index r = 0; r < rows.rows(); ++r) own.push_back(own_parameters(rows, r, spacing));
+  take_neighbours(rows, own, spacing);
   // Places between points carry their rounding: distances below it are none.
   double rounding = 0;
   for (double x : rows.xyz)

@@ -102,6 +102,20 @@ TEST_F(BadCad, ARationalSurfaceIsRefusedByName) {
   refused(text, "rational", "a.igs");
 }
 
+TEST(CadFaces, OneThatIsNotUsableDoesNotHideTheOthers) {
+  const std::string path = test_data("../cli/reports/two_faces_first_rational.igs").string();
+  const std::vector<CadFace> faces = read_cad_faces(path);
+  ASSERT_EQ(faces.size(), 2U);
+  EXPECT_EQ(faces[0].kind, "rational B-spline surface");
+  EXPECT_FALSE(faces[0].surface);
+  EXPECT_NE(faces[0].why.find("weights that differ"), std::string::npos) << faces[0].why;
+  EXPECT_EQ(faces[1].kind, "B-spline surface");
+  ASSERT_TRUE(faces[1].surface);
+  EXPECT_EQ(faces[1].why, "");
+  EXPECT_FALSE(faces[1].trimmed);
+  EXPECT_EQ(read_cad(path), std::vector<Surface>{*faces[1].surface});
+}
+
 TEST(StepText, IsShortAndStandard) {
   const auto tidied = [](const std::string& text, const std::string& wanted) {
     EXPECT_EQ(cad::tidy_step(text), wanted);

@@ -125,7 +125,7 @@ class FitOptions(Inputs):
                         else:
                             self.assertEqual((done.returncode, done.stderr), (0, ""))
                     else:
-                        said = [] if option in ("--classes", "--returns", "--weld") else ["does not apply to"]
+                        said = [] if option in ("--classes", "--returns") else ["does not apply to"]
                         self.refused("fit", name, *more, *QUICK, *words, words=[name, option[2:], *said])
 
     def test_columns_are_those_of_text_and_arrays(self):

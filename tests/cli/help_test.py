@@ -104,14 +104,14 @@ class Help(ToolTest):
         wanted = ("--tol --within --rms --control-points --knots --knots-u --knots-v --knots-from --degree --refine "
                   "--max-control-points --max-fits --time-limit --height-field --spacing --rescale-parameters "
                   "--duplicates --columns --input-format --nodata --skip-lines --classes --returns --feature --feature-file --smoothing --between --cell --fill-holes "
-                  "--output --force --threads --quiet --json --options --largest-part --orient --drop-degenerate "
+                  "--output --force --threads --quiet --json --options --weld --largest-part --orient --drop-degenerate "
                   "--corners --omega --base --new-parameters --correct --fairness --samples --reflections --unit --name --step-schema "
                   "--cad-safe --cad-tol").split()
         self.assertLessEqual(set(wanted), options_of(self.help("fit")))
         wanted = "--at --points --grid --derivatives --derivative --normals --curvature --clamp --json --output".split()
         self.assertLessEqual(set(wanted), options_of(self.help("eval")))
         self.assertLessEqual({"--cell", "--grid", "--samples", "--output", "--force"}, options_of(self.help("convert")))
-        wanted = ("--largest-part --fill-holes --orient --drop-degenerate --corners --omega --map --lines --output --json").split()
+        wanted = ("--weld --largest-part --fill-holes --orient --drop-degenerate --corners --omega --map --lines --output --json").split()
         self.assertLessEqual(set(wanted), options_of(self.help("parameterize")))
 
     def test_methods_of_the_help_are_those_of_the_table(self):

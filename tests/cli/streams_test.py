@@ -41,6 +41,12 @@ class Streams(ToolTest):
         out, _ = self.piped("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "info", "-", "--json")
         self.assertEqual(json.loads(out)["counts" if "counts" in json.loads(out) else "triangles"], 1)
 
+    def test_a_mesh_is_welded(self):
+        soup = "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n"
+        for words, facts in (((), (4, 2, 1)), (("--weld", "off"), (6, 0, 2))):
+            info = json.loads(self.piped(soup, "info", "-", "--json", *words)[0])
+            self.assertEqual((info["points"], info["welded"], info["parts"]), facts)
+
     def test_messages_name_standard_input(self):
         _, said = self.piped("x,y,z\n1,2,a\n", "fit", "-", "--input-format", "csv", status=2)
         self.assertTrue(said.startswith("knotfit: standard input:2: "), said)

@@ -59,7 +59,8 @@ TEST(TextLines, WhatIsNoTextIsRefused) {
 
 TEST(TextLines, ACtrlZEndsADosText) {
   using namespace std::string_literals;
-  for (const std::string& end : {"\x1A"s, "\x1A\r\n"s, "\x1A\x1A\x1A"s, "\x1A\0\0\0"s, "\x1A \n"s})
+  for (const std::string& end :
+       {"\x1A"s, "\x1A\r\n"s, "\x1A\x1A\x1A"s, "\x1A\0\0\0"s, "\x1A \n"s, "\0\0\0"s, "\0\x1A\n"s})
     EXPECT_EQ(text_of(FileBytes("a", "1 2\r\n" + end)), "1 2\r\n");
   // Anything else behind it is no padding.
   EXPECT_EQ(text_of(FileBytes("a", "1 \x1A 2\n")), "1 \x1A 2\n");

@@ -205,15 +205,77 @@ TEST(Rows, RefuseWhatHasNoParameters) {
   expect_throw<InvalidInput>([&] { parameterize_rows(rows); }, "beyond what distances can hold");
 }
 
+// The grid of a cone about its axis, `first` the radius of its first row.
+PointRows cone(double first, bool turned = false) {
+  const double angle[] = {0, 0.2, 0.5, 1.1, 1.3}, height[] = {0, 1, 2.5, 3};
+  PointRows rows;
+  rows.row_start = {0};
+  const auto add = [&](double a, double h) {
+    const double r = h == 0 ? first : 0.7 * h;
+    rows.xyz.insert(rows.xyz.end(), {r * std::cos(a), r * std::sin(a), h});
+  };
+  if (turned) {
+    for (const double a : angle) {
+      for (const double h : height) add(a, h);
+      rows.row_start.push_back(rows.size());
+    }
+  } else {
+    for (const double h : height) {
+      for (const double a : angle) add(a, h);
+      rows.row_start.push_back(rows.size());
+    }
+  }
+  return rows;
+}
+
+TEST(Rows, APoleTakesTheParametersOfTheOtherRows) {
+  const double height[] = {0, 1.0 / 3, 2.5 / 3, 1};
+  // Exactly one point, the rounding of cos(pi / 2) in double and in single precision.
+  for (const double first : {0.0, 6e-17, -4.4e-8})
+    for (const RowSpacing spacing : {RowSpacing::chord, RowSpacing::centripetal}) {
+      const ParameterizedPoints points = parameterize_rows(cone(first), spacing);
+      PointRows rest = cone(first);
+      rest.xyz.erase(rest.xyz.begin(), rest.xyz.begin() + 15);
+      rest.row_start = {0, 5, 10, 15};
+      const ParameterizedPoints without = parameterize_rows(rest, spacing);
+      for (Index k = 0; k < 20; ++k) {
+        EXPECT_NEAR(points.u(k), without.u(k % 5), 1e-14);
+        if (spacing == RowSpacing::chord) {
+          EXPECT_NEAR(points.v(k), height[k / 5], 1e-7);  // the pole's radius of 4.4e-8
+        }
+      }
+      // The same for a column.
+      const ParameterizedPoints turned = parameterize_rows(cone(first, true), spacing);
+      for (Index k = 0; k < 20; ++k) {
+        EXPECT_NEAR(turned.v(k), points.u(k / 4), 1e-14);
+        EXPECT_NEAR(turned.u(k), points.v(5 * (k % 4)), 1e-14);
+      }
+    }
+}
+
+TEST(Rows, APoleAmongRowsOfDifferentLengthsTakesItsNeighboursParameters) {
+  PointRows rows = plane_grid({0, 1, 4}, {0, 1, 2});
+  for (Index k = 0; k < 3; ++k) rows.xyz[3 * k] = 1;
+  rows.xyz.insert(rows.xyz.end(), {5, 2, 0.3});
+  rows.row_start = {0, 3, 6, 10};
+  const ParameterizedPoints points = parameterize_rows(rows);
+  for (Index k = 0; k < 3; ++k) {
+    EXPECT_EQ(points.u(k), points.u(k + 3));
+    EXPECT_EQ(points.v(k), 0);
+  }
+  EXPECT_EQ(points.u(1), 0.25);
+}
+
 TEST(Rows, RefuseRowsOfNoLength) {
   PointRows rows = plane_grid({0, 1, 2}, {0, 1, 2});
-  for (Index k = 3; k < 6; ++k) rows.xyz[3 * k] = 1;
+  for (Index k = 0; k < 9; ++k) rows.xyz[3 * k] = 1;
   for (RowSpacing spacing : {RowSpacing::chord, RowSpacing::centripetal})
-    expect_throw<InvalidInput>([&] { parameterize_rows(rows, spacing); },
-                               "row 2 has no length: all its points are equal");
+    expect_throw<InvalidInput>([&] { parameterize_rows(rows, spacing); }, "the rows have no length");
   EXPECT_EQ(parameterize_rows(rows, RowSpacing::uniform).size(), 9);
-  rows.row_start = {0, 3, 5, 9};  // rows of different lengths
-  expect_throw<InvalidInput>([&] { parameterize_rows(rows); }, "row 2 has no length");
+  rows.row_start = {0, 4, 6, 9};  // rows of different lengths
+  for (Index k = 0; k < 9; ++k) rows.xyz[3 * k + 1] = 1;
+  expect_throw<InvalidInput>([&] { parameterize_rows(rows); },
+                             "row 1 has no length: all its points are equal");
   rows = plane_grid({0, 1, 2}, {5, 5});
   expect_throw<InvalidInput>([&] { parameterize_rows(rows); }, "no length from row to row");
   rows = plane_grid({0, 1, 2, 3}, {5, 5});

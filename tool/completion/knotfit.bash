@@ -18,7 +18,7 @@ _knotfit() {
     --feature) COMPREPLY=($(compgen -W "hessian curvature derivative residual" -- "$current")); return ;;
     --spacing) COMPREPLY=($(compgen -W "chord centripetal uniform" -- "$current")); return ;;
     --map) COMPREPLY=($(compgen -W "newton mean-value" -- "$current")); return ;;
-    --correct) COMPREPLY=($(compgen -W "auto off" -- "$current")); return ;;
+    --correct | --weld) COMPREPLY=($(compgen -W "auto off" -- "$current")); return ;;
     --corners) COMPREPLY=($(compgen -W "auto sharpest search" -- "$current")); return ;;
     --duplicates) COMPREPLY=($(compgen -W "fail mean lowest highest" -- "$current")); return ;;
     --returns) COMPREPLY=($(compgen -W "first last" -- "$current")); return ;;
@@ -37,7 +37,7 @@ _knotfit() {
     return
   fi
   local input="--input-format --columns --nodata --skip-lines --classes --returns" output="-o --output --force --overwrite"
-  local mesh="--largest-part --orient --drop-degenerate --corners --omega --fill-holes"
+  local mesh="--weld --largest-part --orient --drop-degenerate --corners --omega --fill-holes"
   local surface="--unit --face" cad="--name --step-schema --cad-safe --cad-tol"
   case $command in
     fit)
@@ -59,9 +59,9 @@ _knotfit() {
     eval)
       options="--at --points --grid --clamp --derivatives --derivative --normals --curvature $surface $input $output
         --json --threads" ;;
-    distance) options="--tol --samples $surface $input $output --json --threads -q --quiet" ;;
-    info) options="$surface $input --json" ;;
-    convert) options="$surface $input $output $cad --samples --reflections --cell --grid" ;;
+    distance) options="--tol --samples --weld $surface $input $output --json --threads -q --quiet" ;;
+    info) options="$surface $input --weld --json" ;;
+    convert) options="$surface $input --weld $output $cad --samples --reflections --cell --grid" ;;
     methods | formats) options="--names --json" ;;
   esac
   if [[ $current == -* ]]; then

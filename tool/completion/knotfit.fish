@@ -76,6 +76,7 @@ complete -c knotfit -n $fits -l spacing -x -a 'chord centripetal uniform' -d 'Pa
 complete -c knotfit -n $both -l rescale-parameters -d 'Map parameters to [0,1]'
 complete -c knotfit -n $both -l duplicates -x -a 'fail mean lowest highest' -d 'Points with equal parameters'
 complete -c knotfit -n $mesh -l fill-holes -d 'Fill holes of a raster or a mesh'
+complete -c knotfit -n "__fish_seen_subcommand_from fit compare parameterize distance info convert" -l weld -x -a 'auto off' -d 'Vertices at the same place become one'
 complete -c knotfit -n $mesh -l largest-part -d 'Keep the part of a mesh with the most area'
 complete -c knotfit -n $mesh -l orient -d 'Turn triangles against their neighbours'
 complete -c knotfit -n $mesh -l drop-degenerate -d 'Drop triangles of no area'

@@ -83,6 +83,13 @@ void write_cad(const std::string& path, const std::vector<Surface>& surfaces, co
   });
 }
 
+std::vector<CadFace> read_cad_faces(const std::string& path, CadUnit unit) {
+  std::vector<CadFace> faces;
+  with_shape_of(path, unit, [&](const TopoDS_Shape& shape) { faces = faces_of(shape); });
+  if (faces.empty()) throw FileError(path, "holds no B-spline surface: no face at all");
+  return faces;
+}
+
 std::vector<Surface> read_cad(const std::string& path, CadUnit unit) {
   std::vector<Surface> surfaces;
   with_shape_of(path, unit, [&](const TopoDS_Shape& shape) { surfaces = surfaces_of(shape, path); });

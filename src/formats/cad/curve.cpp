@@ -62,6 +62,10 @@ TopoDS_Edge make_edge(const Curve& c) {
 
 std::vector<Curve> curves_of(const TopoDS_Shape& shape, const std::string& path) {
   std::vector<Curve> curves;
+  std::string unusable;  // why the first that is so is not usable: others may be
+  const auto leave_out = [&](const std::string& why) {
+    if (unusable.empty()) unusable = why;
+  };
   for (TopExp_Explorer edge(shape, TopAbs_EDGE, TopAbs_FACE); edge.More(); edge.Next()) {
     double first = 0, last = 0;
     Handle(Geom_Curve) geometry = BRep_Tool::Curve(TopoDS::Edge(edge.Current()), first, last);
@@ -70,12 +74,14 @@ std::vector<Curve> curves_of(const TopoDS_Shape& shape, const std::string& path)
     const auto found = Handle(Geom_BSplineCurve)::DownCast(geometry);
     if (found.IsNull()) continue;
     const auto spline = Handle(Geom_BSplineCurve)::DownCast(found->Copy());
-    if (spline->IsRational())
-      throw FileError(
-          path, "a curve is rational (NURBS with weights that differ), which knotfit does not represent");
-    if (spline->Degree() > kMaxDegree)
-      throw FileError(path,
-                      fmt::format("a curve has degree {}; the highest is {}", spline->Degree(), kMaxDegree));
+    if (spline->IsRational()) {
+      leave_out("a curve is rational (NURBS with weights that differ), which knotfit does not represent");
+      continue;
+    }
+    if (spline->Degree() > kMaxDegree) {
+      leave_out(fmt::format("a curve has degree {}; the highest is {}", spline->Degree(), kMaxDegree));
+      continue;
+    }
     if (spline->IsPeriodic()) spline->SetNotPeriodic();
     TColStd_Array1OfReal sequence(1, spline->NbPoles() + spline->Degree() + 1);
     spline->KnotSequence(sequence);
@@ -87,9 +93,10 @@ std::vector<Curve> curves_of(const TopoDS_Shape& shape, const std::string& path)
     try {
       curves.emplace_back(KnotVector(spline->Degree(), std::move(knots)), 3, std::move(net));
     } catch (const InvalidInput& error) {
-      throw FileError(path, error.what());
+      leave_out(error.what());
     }
   }
+  if (curves.empty() && !unusable.empty()) throw FileError(path, unusable);
   if (curves.empty()) throw FileError(path, "holds no B-spline curve that belongs to no face");
   return curves;
 }

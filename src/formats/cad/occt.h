@@ -38,8 +38,10 @@ const char* unit_name(CadUnit unit);
 /// \throws InvalidInput  not in R^3, a jump inside, or no valid face comes of it; names the surface
 void build_shape(const std::vector<Surface>& surfaces, TopoDS_Shape& shape);
 
-/// The B-spline surfaces of the faces, in their order.
-/// \throws FileError  a rational one, a degree above kMaxDegree, or none at all
+/// The faces, in their order.
+std::vector<CadFace> faces_of(const TopoDS_Shape& shape);
+/// The surfaces of the usable ones. \throws FileError  there is none: says why
+std::vector<Surface> usable_surfaces(const std::vector<CadFace>& faces, const std::string& path);
 std::vector<Surface> surfaces_of(const TopoDS_Shape& shape, const std::string& path);
 
 /// Every face of the shape is valid. \param faces  how many there are

@@ -1,15 +1,11 @@
-// Surfaces to faces and back.
+// Surfaces to faces.
 #include <fmt/format.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_BezierSurface.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -21,7 +17,6 @@
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/narrow.h"
 #include "formats/cad/occt.h"
@@ -114,59 +109,6 @@ TopoDS_Shape sewn(const std::vector<TopoDS_Face>& faces) {
   return {};
 }
 
-std::vector<double> flat_knots(const TColStd_Array1OfReal& sequence) {
-  std::vector<double> knots;
-  for (int k = sequence.Lower(); k <= sequence.Upper(); ++k) knots.push_back(sequence(k));
-  return knots;
-}
-
-Surface from_geometry(const Geom_BSplineSurface& g) {
-  const int n = g.NbUPoles(), m = g.NbVPoles(), p = g.UDegree(), q = g.VDegree();
-  TColStd_Array1OfReal u(1, n + p + 1), v(1, m + q + 1);
-  g.UKnotSequence(u);
-  g.VKnotSequence(v);
-  std::vector<double> net;
-  for (int i = 1; i <= n; ++i)
-    for (int j = 1; j <= m; ++j) {
-      const gp_Pnt c = g.Pole(i, j);
-      net.insert(net.end(), {c.X(), c.Y(), c.Z()});
-    }
-  return Surface(KnotVector(p, flat_knots(u)), KnotVector(q, flat_knots(v)), 3, std::move(net));
-}
-
-/// The face's surface as a B-spline of its own, or null where it is none.
-Handle(Geom_BSplineSurface) spline_of(const TopoDS_Face& face) {
-  Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);  // moved to where the face lies
-  if (geometry.IsNull()) return {};
-  if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(geometry); !trimmed.IsNull()) {
-    const Handle(Geom_Surface) basis = trimmed->BasisSurface();
-    if (!basis->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) &&
-        !basis->IsKind(STANDARD_TYPE(Geom_BezierSurface)))
-      return {};
-    return GeomConvert::SurfaceToBSplineSurface(trimmed);
-  }
-  if (geometry->IsKind(STANDARD_TYPE(Geom_BezierSurface)))
-    return GeomConvert::SurfaceToBSplineSurface(geometry);
-  const auto spline = Handle(Geom_BSplineSurface)::DownCast(geometry);
-  if (spline.IsNull()) return {};
-  const auto copy = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
-  if (copy->IsUPeriodic()) copy->SetUNotPeriodic();
-  if (copy->IsVPeriodic()) copy->SetVNotPeriodic();
-  return copy;
-}
-
-/// "plane" from Geom_Plane, for messages.
-std::string kind_name(const Handle(Geom_Surface) & geometry) {
-  std::string name = geometry.IsNull() ? "surface of no kind" : geometry->DynamicType()->Name();
-  if (name.starts_with("Geom_")) name.erase(0, 5);
-  std::string text;
-  for (const char c : name) {
-    if (c >= 'A' && c <= 'Z' && !text.empty()) text += ' ';
-    text += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  }
-  return text;
-}
-
 }  // namespace
 
 void build_shape(const std::vector<Surface>& surfaces, TopoDS_Shape& shape) {
@@ -192,38 +134,6 @@ void build_shape(const std::vector<Surface>& surfaces, TopoDS_Shape& shape) {
   builder.MakeCompound(compound);
   for (const TopoDS_Face& face : faces) builder.Add(compound, face);
   shape = compound;
-}
-
-std::vector<Surface> surfaces_of(const TopoDS_Shape& shape, const std::string& path) {
-  std::vector<Surface> surfaces;
-  std::map<std::string, int> others;
-  int number = 0;
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    ++number;
-    const Handle(Geom_BSplineSurface) spline = spline_of(TopoDS::Face(face.Current()));
-    if (spline.IsNull()) {
-      ++others[kind_name(BRep_Tool::Surface(TopoDS::Face(face.Current())))];
-      continue;
-    }
-    if (spline->IsURational() || spline->IsVRational())
-      throw FileError(path,
-                      fmt::format("face {} is a rational B-spline surface (NURBS with weights that differ), "
-                                  "which knotfit does not represent",
-                                  number));
-    if (std::max(spline->UDegree(), spline->VDegree()) > kMaxDegree)
-      throw FileError(path, fmt::format("face {} has degree {} x {}; the highest is {}", number,
-                                        spline->UDegree(), spline->VDegree(), kMaxDegree));
-    try {
-      surfaces.push_back(from_geometry(*spline));
-    } catch (const InvalidInput& error) {
-      throw FileError(path, fmt::format("face {}: {}", number, error.what()));
-    }
-  }
-  if (!surfaces.empty()) return surfaces;
-  std::string found;
-  for (const auto& [kind, count] : others)
-    found += fmt::format("{}{} {}", found.empty() ? "" : ", ", count, kind);
-  throw FileError(path, "holds no B-spline surface" + (found.empty() ? "" : "; its faces are: " + found));
 }
 
 bool is_valid(const TopoDS_Shape& shape, Index& faces) {

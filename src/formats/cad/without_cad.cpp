@@ -21,6 +21,10 @@ void write_cad(const std::string& path, const std::vector<Surface>&, const CadOp
   refuse(path);
 }
 
+std::vector<CadFace> read_cad_faces(const std::string& path, CadUnit) {
+  refuse(path);
+}
+
 std::vector<Surface> read_cad(const std::string& path, CadUnit) {
   refuse(path);
 }
