@@ -100,7 +100,7 @@ TEST(Relocation, OneKnotAtMorePeaksOfTheGainLeadsFurther) {
   int further = 0;
   for (const std::string& name : synthetic_names())
     for (const int count : {6, 10}) {
-      const ParameterizedPoints points = synthetic_points(name, 3000);
+      const ParameterizedPoints points = synthetic_points(name, 1500);
       FitProblem problem(points, 3, 3, for_knots());
       InteriorKnots knots{uniform_knots(count), uniform_knots(count)};
       double phi = minimize_over_knots(problem, knots);
