@@ -8,10 +8,10 @@
 #include <memory>
 #include <optional>
 
+#include "data/crowding.h"
 #include "fit/problem.h"
 #include "knotfit/errors.h"
 #include "pipeline/choose_knots.h"
-#include "pipeline/crowding.h"
 #include "pipeline/frame.h"
 #include "pipeline/message.h"
 #include "pipeline/requirements.h"

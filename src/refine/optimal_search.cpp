@@ -33,6 +33,7 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
   result.notes.push_back(reason + "; the knots come from the error model");
   const bool failed = !result.holds && result.error <= kInsertionReach * options.tolerance.value;
   if (!(failed || result.status == Status::reached) || !can_optimise_insertion(data.points())) return result;
+  if (options.max_fits > 0) return result;  // a budget of the caller's is one of the search
   if (control.stop.stop_requested() || out_of_time(control, start)) return result;
   RefineOptions inserting = options;
   if (result.holds)  // it begins too large and drops knots at last
@@ -117,8 +118,9 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     result.least_squares = false;  // not of the data alone
   }
   // The other route, where this one found nothing: it may, and the better of both is the best.
-  if (!inserted && !result.holds && result.error <= kInsertionReach * options.tolerance.value &&
-      can_optimise_insertion(data.points()) && !attempts.stopped())
+  if (!inserted && !result.holds && options.max_fits == 0 &&
+      result.error <= kInsertionReach * options.tolerance.value && can_optimise_insertion(data.points()) &&
+      !attempts.stopped())
     inserted = insert_isolines(data, options, after(result, attempts.time_left()));
   if (!inserted) return result;
   inserted->method = options.method;

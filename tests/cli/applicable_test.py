@@ -44,7 +44,7 @@ BY_INPUT = {
     "--drop-degenerate": (None, MESHES),
     "--corners": ("sharpest", MAPPED),
     "--omega": ("0", MAPPED),
-    "--fill-holes": (None, MAPPED | {"raster", "array", "textured", "over plane"}),
+    "--fill-holes": (None, MAPPED | {"raster", "array", "textured", "heights", "over plane"}),
     "--new-parameters": (None, {"points", "cloud", "grid", "rows", "mesh", "textured", "over plane", "over graph"}),
     "--weld": ("off", MESHES),
     "--shear": ("0.1", {"raster", "array", "heights"}),

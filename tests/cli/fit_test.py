@@ -39,7 +39,7 @@ class ExitStatus(ToolTest):
 
     def test_3_or_0_with_a_budget_of_fits(self):
         self.write_points(count=2000, f=step)
-        report = self.run_json("fit", "points.csv", "--tol", "0.05%", "--max-fits", "12", status=3)
+        report = self.run_json("fit", "points.csv", "--tol", "0.05%", "--max-fits", "6", status=3)
         self.assertEqual(report["status"], "limit_reached")
 
     def test_time_limit_is_named_as_the_status(self):
@@ -103,7 +103,7 @@ class Report(ToolTest):
     MEMBERS = ["size", "control_points", "degree", "knots", "error", "correction", "between", "bound", "thin", "swings", "tolerance", "measured",
                "reached", "status", "message", "method", "condition", "noise", "fits", "least_squares",
                "fill_points", "against_uniform", "against_error_model", "seconds", "peak_memory_bytes",
-               "input", "options", "notes", "outputs", "version"]
+               "input", "options", "columns", "columns_from", "notes", "outputs", "version"]
 
     def test_json_has_every_member(self):
         self.write_points()
@@ -305,11 +305,14 @@ class Input(ToolTest):
         self.run_tool("fit", "points.csv", "--tol", "0.1", "--rms")
         for rule in ("mean", "lowest", "highest"):
             with self.subTest(rule=rule):
-                report = self.run_json("fit", "points.csv", "--tol", "0.3", "--duplicates", rule, "-o", f"{rule}.csv")
+                report = self.run_json("fit", "points.csv", "--control-points", "8x8", "--duplicates", rule, "-o", f"{rule}.csv")
                 self.assertEqual((report["input"]["points"], report["input"]["duplicates"]), (600, 1))
                 rows = self.read_csv((self.folder / f"{rule}.csv").read_text())
                 self.assertEqual(len(rows), 601)  # a line a point of the input
                 self.assertGreaterEqual(max(rows[9]["error"], rows[600]["error"]), 0.25 - 1e-9)
+                # Both are points of the input: no surface is within 0.2 of them.
+                report = self.run_json("fit", "points.csv", "--tol", "0.2", "--duplicates", rule, status=3)
+                self.assertEqual((report["status"], report["reached"]), ("not_reached", False))
 
     def test_columns_are_named_and_a_format_too(self):
         lines = [f"{u!r};{v!r};7;{2 * u!r};{3 * v!r};{wave(u, v)!r}"

@@ -1,4 +1,4 @@
-#include "pipeline/crowding.h"
+#include "data/crowding.h"
 
 #include <algorithm>
 #include <array>
