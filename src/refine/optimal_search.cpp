@@ -106,7 +106,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
       options.effort == Effort::best || (options.effort == Effort::balanced && work > kMuchWork);
   if (from_inserted && can_optimise_insertion(data.points()) && !attempts.stopped()) {
     RefineOptions quick = options;
-    quick.max_fits = kFits[0];
+    if (quick.max_fits == 0) quick.max_fits = kFits[0];
     inserted = insert_isolines(data, quick, attempts.time_left());
     if (inserted->status == Status::reached) first = solver.seed(inserted->knots);
   }

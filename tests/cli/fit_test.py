@@ -48,10 +48,10 @@ class ExitStatus(ToolTest):
                                status=3)
         self.assertEqual(report["status"], "time_limit")
 
-    def test_0_where_sizes_fail_and_inserted_knot_lines_hold(self):
-        report = self.run_json("fit", SAMPLES / "face.uv.csv", "--tol", "1%", "--between", "off")
+    def test_0_on_a_scan_with_uneven_parameters(self):
+        report = self.run_json("fit", SAMPLES / "face.uv.csv", "--tol", "3%", "--between", "off")
         self.assertEqual(report["status"], "reached")
-        self.assertLessEqual(report["control_points"], 950)
+        self.assertLessEqual(report["control_points"], 150)  # 132 measured
 
     def test_2_for_usage(self):
         self.write_points()
