@@ -40,7 +40,8 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
     chosen.criterion = placement.criterion;
     chosen.fits = placement.fits;
     chosen.notes = placement.notes;
-    if (placement.status == PlacementStatus::stopped) chosen.status = Status::stopped;
+    if (placement.status == PlacementStatus::stopped)
+      chosen.status = control.stop.stop_requested() ? Status::stopped : Status::time_limit;
     return chosen;
   }
   RefineOptions refine;

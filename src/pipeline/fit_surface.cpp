@@ -189,7 +189,8 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   if (searched) keeping.energy = make_data_energy(inside, energy_scale(tolerance));
   auto fitted = std::make_unique<Fitted>(inside, options, tolerance, result.noise / frame.scale(), keeping,
                                          time_left(control, start));
-  if (!searched && fitted->solved && fitted->swings.swings && !fitted->problem->on_grid()) {
+  const bool in_time = !control.stop.stop_requested() && !out_of_time(control, start);
+  if (!searched && in_time && fitted->solved && fitted->swings.swings && !fitted->problem->on_grid()) {
     // A size or knots of the user's, whose least squares swing: the same held to the data by its energy, for errors of the
     // size that it leaves.
     keeping.energy = make_data_energy(inside, std::max(energy_scale(tolerance), fitted->problem->rms()));

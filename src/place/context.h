@@ -1,5 +1,6 @@
 // What the methods share while knots are placed for one set of points at one count or many.
 #pragma once
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -26,7 +27,8 @@ class PlacementContext {
   FitProblem& problem() { return problem_; }
   const PlacementOptions& options() const { return options_; }
   PlacementOptions& options() { return options_; }
-  bool stop_requested() const { return control_.stop.stop_requested(); }
+  /// Stopped, or out of time.
+  bool stop_requested() const { return control_.stop.stop_requested() || out_of_time(control_, start_); }
 
   /// The feature measure of the options, from a uniform pre-fit; made once.
   const FeatureMap& features();
@@ -49,6 +51,7 @@ class PlacementContext {
   FitProblem& problem_;
   PlacementOptions options_;
   const Control& control_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<FeatureMap> features_;
   std::optional<FineModel> fine_model_;
   std::optional<RowGrid> row_grid_;
