@@ -129,9 +129,9 @@ int run_fit_curve(const CurveArguments& arguments) {
     throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }
   terminal.clear();
-  int status = result.status == Status::stopped      ? kStopped
-               : result.status == Status::failed     ? kOther
-               : result.status == Status::time_limit ? kNotReached
+  int status = result.status == Status::stopped       ? kStopped
+               : result.status == Status::failed      ? kOther
+               : result.status == Status::time_limit  ? kNotReached
                : options.tolerance && !result.reached ? kNotReached
                                                       : kReached;
   CurveReport report{.result = result, .points = points, .arguments = arguments, .reading = reading};

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "data/distinct_points.h"
-#include "verify/kriging.h"
 #include "data/neighbours.h"
+#include "verify/kriging.h"
 namespace knotfit::verify {
 
 /// Points and degree of a stencil: kernel r^(2 degree + 1), k nearest points.

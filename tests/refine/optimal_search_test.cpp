@@ -185,7 +185,8 @@ TEST(OptimalSearch, SaysEarlyWhereKnotsCannotHelp) {
   EXPECT_EQ(r.status, Status::reached);
   ASSERT_EQ(r.notes.size(), 1u);
   EXPECT_NE(r.notes[0].find("optimised knots would save about"), std::string::npos) << r.notes[0];
-  EXPECT_NE(r.notes[0].find("error model's knots"), std::string::npos) << r.notes[0];  // inserted lines need fewer
+  EXPECT_NE(r.notes[0].find("error model's knots"), std::string::npos)
+      << r.notes[0];  // inserted lines need fewer
 }
 
 TEST(OptimalSearch, IsNotPutOffByClusters) {
