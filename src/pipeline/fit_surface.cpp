@@ -70,11 +70,11 @@ Control last_look(const Control& control, std::chrono::steady_clock::time_point 
 Control outside(const Control& control, double scale) {
   Control scaled = control;
   if (control.progress)
-    scaled.progress = [&control, scale](const Progress& inside) {
+    scaled.progress = [report = control.progress, scale](const Progress& inside) {
       Progress progress = inside;
       for (double* x : {&progress.error, &progress.tolerance})
         if (*x > 0) *x *= scale;
-      control.progress(progress);
+      report(progress);
     };
   return scaled;
 }
@@ -108,7 +108,7 @@ struct Fitted {
     problem.emplace(inside, chosen.degree_u, chosen.degree_v, fit);
     solved = fit_chosen(*problem, chosen, tolerance);
     if (!solved) return;
-    const double unit = std::max(tolerance.value, tolerance.value > 0 ? 0 : problem->rms());
+    const double unit = tolerance.value > 0 ? tolerance.value : problem->rms();
     if (unit > 0) swings = keeping.sites->measure(problem->surface(), problem->errors(), unit);
   }
 };
@@ -185,8 +185,8 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   if (searched) {
     const double noise = estimate_noise(inside);
     if (noise > 0.02 * tolerance.value) result.noise = noise * frame.scale();
+    keeping.energy = make_data_energy(inside, energy_scale(tolerance));
   }
-  if (searched) keeping.energy = make_data_energy(inside, energy_scale(tolerance));
   auto fitted = std::make_unique<Fitted>(inside, options, tolerance, result.noise / frame.scale(), keeping,
                                          time_left(control, start));
   const bool in_time = !control.stop.stop_requested() && !out_of_time(control, start);

@@ -183,7 +183,7 @@ RefineResult Attempts::finish(Status unmet) const {
 Control after(const RefineResult& earlier, const Control& control) {
   if (!control.progress || earlier.surface.empty()) return control;
   Control shown = control;
-  shown.progress = [&earlier, &control](const Progress& later) {
+  shown.progress = [&earlier, report = control.progress](const Progress& later) {
     Progress progress = later;
     const bool beaten = later.error >= 0 && later.error <= (earlier.holds ? later.tolerance : earlier.error);
     if (!beaten) {
@@ -191,7 +191,7 @@ Control after(const RefineResult& earlier, const Control& control) {
       progress.size_u = static_cast<int>(earlier.surface.size_u());
       progress.size_v = static_cast<int>(earlier.surface.size_v());
     }
-    control.progress(progress);
+    report(progress);
   };
   return shown;
 }
