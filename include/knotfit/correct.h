@@ -74,7 +74,7 @@ struct CorrectionResult {
   Index best_round = 0;
 };
 
-/// Alternates foot points and control points on fixed knots [METHOD 7, "Correction"]: the tangent step of Wang et
+/// Alternates foot points and control points on fixed knots [METHOD 8.1]: the tangent step of Wang et
 /// al., held between the vertices by the gradients of the mesh map, kept from folding by hinge rows on the
 /// singular values of the surface against the blurred mesh, drawn to the blurred mesh's curvature where the normals are
 /// far apart (docs/decisions/0008), with no parameter triangle ever turned over. The best

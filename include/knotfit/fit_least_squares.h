@@ -10,7 +10,7 @@
 namespace knotfit {
 
 /// What holds a surface to its data where hardly any point does: an energy whose weights follow the data's own spacing,
-/// its roughness and the errors that are all the same to the caller, and no knots [METHOD 4, "On real data"].
+/// its roughness and the errors that are all the same to the caller, and no knots [METHOD 5.1].
 class DataEnergy;
 
 /// \param scale  > 0, errors of this size are all the same: the tolerance
@@ -19,7 +19,7 @@ std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& po
 
 struct LeastSquaresOptions {
   /// Relative smoothing floor: lambda = smoothing * tr(A^T W A) / tr(J), J the thin-plate energy
-  /// (METHOD 1; degree 1: the membrane energy). Keeps cells without data alive. An absolute lambda
+  /// [METHOD 1.2] (degree 1: the membrane energy). Keeps cells without data alive. An absolute lambda
   /// biases steep data (9 times the error on a tanh(80 x) step); a relative 1e-9 leaves 4e-8.
   double smoothing = 1e-9;
   /// Steps c -= G^-1 A^T W r that take lambda's share of the error to rounding where data is.
@@ -57,7 +57,7 @@ struct LeastSquaresResult {
   bool on_grid = false;   ///< solved direction by direction
 };
 
-/// Minimises sum_k w_k |S(u_k,v_k) - P_k|^2 + lambda J(S) over the control points. [METHOD 1]
+/// Minimises sum_k w_k |S(u_k,v_k) - P_k|^2 + lambda J(S) over the control points. [METHOD 1.2]
 /// The same bits for any number of threads.
 /// \throws InvalidInput  points invalid, knots not clamped on [0,1], fewer points than control points
 LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const KnotVector& knots_u,

@@ -1,7 +1,7 @@
 // Oblique features of height fields: parameters along them, so that fewer knots do.
 //
 // Knot lines run along the parameters. A ridge that crosses them needs knots everywhere; one that runs along them needs
-// knots in one direction only [METHOD 4].
+// knots in one direction only [METHOD 4.7].
 #pragma once
 #include "knotfit/fit_surface.h"
 namespace knotfit {

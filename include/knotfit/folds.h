@@ -15,7 +15,7 @@ struct FoldPlace {
 };
 
 /// 8 x 8 samples at the centres of equal parts of every knot cell, weighted by the cell's area; samples that no
-/// triangle covers, or a virtual one, are left out [METHOD 7, "Fold measure"].
+/// triangle covers, or a virtual one, are left out [METHOD 8.9].
 struct FoldReport {
   /// Shares of the square where S_u x S_v points against the mesh: against the mean unit normal of the mesh over
   /// +-4 samples, about a span; against the normal of the triangle there.
@@ -34,7 +34,7 @@ struct FoldReport {
   std::vector<FoldPlace> places;  ///< blurred folds, the largest first
 };
 
-/// Folded shares up to which a surface holds [METHOD 7, "Fold measure"].
+/// Folded shares up to which a surface holds [METHOD 8.9].
 inline constexpr double kMostBlurredFold = 1e-3, kMostPleats = 5e-3;
 inline bool folds_over(const FoldReport& folds) {
   return folds.blurred > kMostBlurredFold || folds.pleats > kMostPleats;

@@ -1,4 +1,4 @@
-// A disk mesh over the unit square [METHOD 7, "Disk meshes" up to "Correction"].
+// A disk mesh over the unit square [METHOD 7.1].
 #pragma once
 #include <array>
 #include <optional>

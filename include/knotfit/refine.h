@@ -12,7 +12,7 @@
 namespace knotfit {
 
 enum class RefineRoute {
-  search,  ///< sizes p x q from the error model, knots placed anew at each [METHOD 4]
+  search,  ///< sizes p x q from the error model, knots placed anew at each [METHOD 4.1]
   insert   ///< isolines inserted where features or errors are large, re-optimised [Zhang16]
 };
 
@@ -34,11 +34,11 @@ struct RefineOptions {
   std::string method = "optimal";
   Effort effort = Effort::balanced;
   /// Method "optimal": hold the surface between the data too, by fill points and a reserve of local
-  /// references [METHOD 4].
+  /// references [METHOD 4.4].
   bool guard = true;
   int degree_u = 3, degree_v = 3;
   /// Spans in u over spans in v that the size search grows with, 1/5 to 5 of it counts; 0: by the densities of the
-  /// error model [METHOD 4]. A map of a mesh knows it: MapQuality::aspect.
+  /// error model [METHOD 4.1]. A map of a mesh knows it: MapQuality::aspect.
   double span_ratio = 0;
   /// Most control points; 0: half of the points, and for scattered data at most 50 000.
   Index max_control_points = 0;

@@ -33,9 +33,9 @@ struct ThinPlace {
   double gap = 0;        ///< distance to the nearest point over the radius of its neighbours
 };
 
-/// The surface between the points against a local polyharmonic reference [METHOD 4, "Between the
-/// points"]. Promised: error bar e <= tolerance / 2 and no hole (nearest point within 0.35 h). The largest of the places
-/// tried are climbed from, so that `between` and `bound` are those of the tops and not of a sample.
+/// The surface between the points against a local polyharmonic reference [METHOD 5.3]. Promised: error bar
+/// e <= tolerance / 2 and no hole (nearest point within 0.35 h). The largest of the places tried are climbed from, so
+/// that `between` and `bound` are those of the tops and not of a sample.
 struct BetweenReport {
   bool measured = false;            ///< false where stopped or out of time: all else is empty then
   std::optional<double> between;    ///< max |S - z*| over promised places; none where nothing is promised
@@ -54,15 +54,14 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
 /// Whether a surface keeps to its data where points stand side by side. A swing is how far S leaves the box of the 16
 /// nearest points and of its triangle's corners, over the larger of the tolerance and the largest error of the 8 nearest, at places inside small
 /// triangles of neighbours (edges at most three times the distance to the fourth neighbour). Places where S is within three times
-/// that of the local reference are none: a crest between points leaves their box, and the data says so.
+/// that of the local reference are none: a crest between points leaves their box, and the data says so [METHOD 5.2].
 struct SwingReport {
   bool measured = false;
-  Index places = 0;     ///< random places inside small triangles
-  Index above = 0;      ///< of them, those where the swing is above 3
-  double largest = 0;   ///< the largest swing, in narrow knot cells and gaps too
-  double distance = 0;  ///< how far S leaves the box there, in the data's unit
-  bool in_gap =
-      false;  ///< it lies in a gap, where the box is widened and swings of 10 are what rule B allows
+  Index places = 0;                 ///< random places inside small triangles
+  Index above = 0;                  ///< of them, those where the swing is above 3
+  double largest = 0;               ///< the largest swing, in narrow knot cells and gaps too
+  double distance = 0;              ///< how far S leaves the box there, in the data's unit
+  bool in_gap = false;              ///< it lies in a gap, where the box is widened [METHOD 5.2]
   double worst_u = 0, worst_v = 0;  ///< where
   double beyond_box = 0;            ///< how far S leaves the box of all data, anywhere in the domain
   double box_u = 0, box_v = 0;      ///< where
@@ -78,7 +77,7 @@ SwingReport measure_swings(const Surface& surface, const ParameterizedPoints& po
                            const std::vector<double>& errors, double tolerance);
 
 /// Standard deviation of the noise in the values, by restricted likelihood of a nugget on random
-/// local stencils (median) [METHOD 4, "Noise"]; 0 where there are too few points to tell.
+/// local stencils (median) [METHOD 5.3]; 0 where there are too few points to tell.
 double estimate_noise(const ParameterizedPoints& points, unsigned long long seed = 1);
 
 }  // namespace knotfit

@@ -1,4 +1,4 @@
-// Foot points on curves.
+// Foot points on curves [METHOD 9.3].
 #pragma once
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-// The corrected parameters of the mesh's own vertices, its own triangles none turned over.
+// The corrected parameters of the mesh's own vertices, its own triangles none turned over [METHOD 8.13].
 #pragma once
 #include <array>
 #include <cstdint>

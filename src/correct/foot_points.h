@@ -21,7 +21,7 @@ struct FootPointOptions {
   double longest_u = 1, longest_v = 1;  ///< of one step
 };
 
-/// Safeguarded Gauss-Newton on |S(u,v) - P|^2 [METHOD 7, "Foot points"]: a step is halved while the distance
+/// Safeguarded Gauss-Newton on |S(u,v) - P|^2 [METHOD 8.3]: a step is halved while the distance
 /// does not fall, a coordinate at the end of the domain stays there while the gradient points outward. In
 /// batches, sorted by cell, threaded; the bits of a point depend on nothing but itself.
 /// \param slide  one a point; empty: all free

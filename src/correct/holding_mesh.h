@@ -1,5 +1,5 @@
 // The mesh that a correction works on: its vertices, and others inside long edges that hold the surface where the
-// parameter square has few of them [METHOD 7, "Holding vertices"].
+// parameter square has few of them [METHOD 8.2].
 #pragma once
 #include <array>
 #include <cstdint>

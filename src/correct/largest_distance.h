@@ -1,4 +1,4 @@
-// The largest distance of a surface from a mesh, between the samples of a grid too.
+// The largest distance of a surface from a mesh, between the samples of a grid too [METHOD 8.14].
 #pragma once
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-// What of the mesh map holds the surface between the vertices: its gradients and its senses [METHOD 7].
+// What of the mesh map holds the surface between the vertices: its gradients and its senses [METHOD 8.6, 8.7].
 #pragma once
 #include <array>
 #include <optional>
@@ -9,7 +9,7 @@
 namespace knotfit::correction {
 
 /// eps / G sum_g h_u^2 |S_u - X_u|^2 + h_v^2 |S_v - X_v|^2 over 3 x 3 places a cell, weighted by the cell's area,
-/// and along the four sides the derivative along them, a quarter of that [METHOD 7, "Gradient data"].
+/// and along the four sides the derivative along them, a quarter of that [METHOD 8.6].
 std::vector<GradientDatum> gradient_data(const HoldingMesh& mesh, const SpanTable& u, const SpanTable& v,
                                          double eps);
 

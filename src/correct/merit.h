@@ -1,4 +1,4 @@
-// What surfaces of a correction are compared by.
+// What surfaces of a correction are compared by: the penalised error [METHOD 8.1].
 #pragma once
 namespace knotfit::correction {
 

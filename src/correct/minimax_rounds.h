@@ -1,4 +1,4 @@
-// The last rounds of a correction to a maximum or a percentile: L_P with growing P [METHOD 4, step 3, on distances].
+// The last rounds of a correction to a maximum or a percentile: L_P with growing P [METHOD 8.10].
 #pragma once
 #include <functional>
 

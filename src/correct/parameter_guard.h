@@ -1,4 +1,4 @@
-// No parameter triangle turns over [METHOD 7, "Guard"].
+// No parameter triangle turns over [METHOD 8.4].
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The schedule of a correction, in its own frame.
+// The schedule of a correction, in its own frame [METHOD 8.1].
 #pragma once
 #include <cmath>
 

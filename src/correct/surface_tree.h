@@ -1,4 +1,4 @@
-// The closest point of a whole surface: triangles with a bound on how far the surface leaves them.
+// The closest point of a whole surface: triangles with a bound on how far the surface leaves them [METHOD 8.14].
 #pragma once
 #include <optional>
 

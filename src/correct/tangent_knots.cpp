@@ -1,4 +1,4 @@
-// Variable projection of the tangent step [Golub73; Kaufman75; METHOD 3, 7].
+// Variable projection of the tangent step [Golub73; Kaufman75; METHOD 3.1, 8.11].
 #include <array>
 
 #include "correct/tangent_system.h"

@@ -1,5 +1,5 @@
 // The control points of one round: points with a matrix each, and what holds the surface between them
-// [METHOD 7, "Tangent step"].
+// [METHOD 8.5].
 #pragma once
 #include <array>
 #include <optional>
@@ -72,7 +72,7 @@ class TangentSystem {
   std::optional<Surface> solve(const SystemPoints& points, double smoothing, const Holding& holding) const;
 
   /// The same sum as the knots move, the control points eliminated (Kaufman's variable projection on the points'
-  /// matrices: columns projected on the normals as far as these are) [METHOD 3]; smoothing and what holds the surface
+  /// matrices: columns projected on the normals as far as these are) [METHOD 3.1, 8.11]; smoothing and what holds the surface
   /// only hold the control points. Needs the matrices, and simple knots.
   /// \param surface  over the system's knots, a minimiser of the whole
   /// \param counts   by point: whether it is in the sum whose fall is wanted; the others hold the control points too

@@ -1,4 +1,4 @@
-// Parameters that cannot do: points far closer in them than on the surface.
+// Parameters that cannot do: points far closer in them than on the surface [METHOD 5.5].
 #pragma once
 #include "knotfit/points.h"
 namespace knotfit {

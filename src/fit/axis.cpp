@@ -65,7 +65,7 @@ std::vector<double> Axis::gram(int derivative) const {
   for (Index s = 0; s < spans_; ++s) {
     if (length(s) <= 0) continue;
     std::copy_n(basis(s), w * w, c.begin());
-    // P_a' = (2a-1) P_{a-1} + (2a-5) P_{a-3} + ... [Abramowitz 8.5.4]: from the top, row b of the derivative
+    // P_a' = (2a-1) P_{a-1} + (2a-5) P_{a-3} + ... [Abramowitz64 8.5.4]: from the top, row b of the derivative
     // is (2b+1) times the sum of the rows b+1, b+3, ...
     for (int r = 0; r < derivative; ++r)
       for (int i = 0; i < w; ++i) {

@@ -7,7 +7,7 @@
 #include "knotfit/knot_vector.h"
 namespace knotfit {
 
-/// P_a = alpha_a t P_{a-1} - beta_a P_{a-2}, alpha = (2a-1)/a, beta = (a-1)/a [Abramowitz 22.7.10].
+/// P_a = alpha_a t P_{a-1} - beta_a P_{a-2}, alpha = (2a-1)/a, beta = (a-1)/a [Abramowitz64 22.7.10].
 struct LegendreRecurrence {
   double alpha[2 * kMaxDegree + 2] = {}, beta[2 * kMaxDegree + 2] = {};
   constexpr LegendreRecurrence() {

@@ -27,7 +27,7 @@ std::vector<SpanTerms<w>> span_terms(const Axis& axis) {
     if (!(axis.length(s) > 0)) continue;
     SpanTerms<w>& t = terms[s];
     t.derivative[0] = Eigen::Map<const Matrix<Eigen::Dynamic, Eigen::Dynamic>>(axis.basis(s), width, width);
-    for (int r = 1; r < 3; ++r) {  // P_a' = (2a-1) P_{a-1} + (2a-5) P_{a-3} + ... [Abramowitz 8.5.4]
+    for (int r = 1; r < 3; ++r) {  // P_a' = (2a-1) P_{a-1} + (2a-5) P_{a-3} + ... [Abramowitz64 8.5.4]
       t.derivative[r] = Matrix<w, w>::Zero(width, width);
       for (int a = 1; a < width; ++a)
         for (int b = a - 1; b >= 0; b -= 2)

@@ -1,4 +1,4 @@
-// One curve fitted again and again with other knots, open or closed.
+// One curve fitted again and again with other knots, open or closed [METHOD 9.1].
 #pragma once
 #include <vector>
 

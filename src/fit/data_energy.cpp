@@ -10,7 +10,7 @@
 namespace knotfit {
 namespace {
 
-// Measured constants of METHOD 4, "On real data": weights where data is, in holes, and of the range in the slopes'.
+// Measured constants [METHOD 5.1]: weights where data is, in holes, and of the range in the slopes'.
 constexpr double kBend = 0.03, kBendHole = 0.3;
 constexpr double kSlope = 0.0015, kSlopeHole = 0.3;
 constexpr double kRangeShare = 1.0 / 64;

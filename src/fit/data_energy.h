@@ -1,4 +1,4 @@
-// The energy that holds a surface to its data where hardly any point does [METHOD 4, "On real data"].
+// The energy that holds a surface to its data where hardly any point does [METHOD 5.1].
 #pragma once
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 // Points that fill a tensor grid with equal weights: the normal matrix is a Kronecker product, so
-// each direction is solved on its own (exact) [METHOD 6].
+// each direction is solved on its own (exact) [METHOD 6.2].
 #pragma once
 #include "fit/backend.h"
 #include "fit/banded.h"

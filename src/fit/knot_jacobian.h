@@ -1,4 +1,4 @@
-// How the fit changes with its knots, the control points eliminated [Golub73; METHOD 3].
+// How the fit changes with its knots, the control points eliminated [Golub73; METHOD 3.1].
 #pragma once
 #include <vector>
 

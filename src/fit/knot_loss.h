@@ -1,4 +1,4 @@
-// What the fit loses without one of its knots, for all knots of a direction at once.
+// What the fit loses without one of its knots, for all knots of a direction at once [METHOD 3.3].
 #pragma once
 #include <vector>
 

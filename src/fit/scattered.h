@@ -1,4 +1,4 @@
-// The normal equations of scattered points, assembled cell by cell from moments [METHOD 1, 6].
+// The normal equations of scattered points, assembled cell by cell from moments [METHOD 1.3, 6.1].
 #pragma once
 #include <memory>
 
@@ -24,7 +24,7 @@ class ScatteredBackend final : public FitBackend {
 
   /// At the net of the last residuals() call, which minimises at the knots last factored.
   /// \param golub_pereyra  with the exact Jacobian's second term; without it Kaufman's, which finds better
-  ///   optima at two thirds of the cost (METHOD 3)
+  ///   optima at two thirds of the cost [METHOD 3.1]
   KnotJacobian knot_jacobian(const std::vector<double>& net, bool golub_pereyra = false) const;
   /// See knot_loss.h; of the factor and the net at hand.
   std::vector<double> knot_losses(const std::vector<double>& net, bool along_v) const;

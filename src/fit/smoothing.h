@@ -1,4 +1,4 @@
-// The energy that keeps cells without data alive [METHOD 1].
+// The energy that keeps cells without data alive [METHOD 1.2].
 #pragma once
 #include <vector>
 

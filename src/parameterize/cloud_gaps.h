@@ -1,4 +1,4 @@
-// Where a cloud has an opening, and not only few points.
+// Where a cloud has an opening, and not only few points [METHOD 7.3].
 #pragma once
 #include <array>
 #include <cstdint>

@@ -35,7 +35,7 @@ inline Jacobian jacobian(const RestTriangle& rest, const Face& t, const double* 
   return j;
 }
 
-/// How a map onto the unit square stretches; virtual faces do not count. [METHOD 7]
+/// How a map onto the unit square stretches; virtual faces do not count [METHOD 7.1].
 struct Stretch {
   double square = 0;       ///< L2 on the square [Sander01]; 1: isometric
   double aspect_free = 0;  ///< L2 on the best rectangle

@@ -1,4 +1,4 @@
-// Rows of points joined to a mesh.
+// Rows of points joined to a mesh [METHOD 7.4].
 #pragma once
 #include <span>
 

@@ -1,4 +1,4 @@
-// Rounds of correction at one size, with knots that may move between them.
+// Rounds of correction at one size, with knots that may move between them [METHOD 8.11].
 #pragma once
 #include <vector>
 

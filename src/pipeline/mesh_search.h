@@ -1,4 +1,5 @@
-// Sizes for a mesh whose parameters move: each begins with the surface and the parameters of a smaller one.
+// Sizes for a mesh whose parameters move: each begins with the surface and the parameters of a smaller
+// one [METHOD 8.12].
 #pragma once
 #include <string>
 #include <vector>

@@ -63,7 +63,7 @@ class Unknowns {
 
 }  // namespace
 
-/// Knots and control points together by nonlinear conjugate gradients, after Xie & Qin 2001, who minimise an energy
+/// Knots and control points together by nonlinear conjugate gradients, after [Xie01], who minimise an energy
 /// over all degrees of freedom of a NURBS by a general gradient method. Steps, ours where the paper leaves them:
 ///  1. start: uniform knots and their least squares;
 ///  2. unknowns: control points scaled by the roots of the row sums of A^T W A, and log-spacings of the knots;

@@ -14,7 +14,7 @@ namespace knotfit {
 struct FineModel {
   InteriorKnots knots;
   std::vector<double> mass_u, mass_v;     ///< a span
-  double integral_u = 1, integral_v = 1;  ///< I_u, I_v of METHOD 4: integrals of the densities
+  double integral_u = 1, integral_v = 1;  ///< I_u, I_v: integrals of the densities [METHOD 4.1]
   std::vector<double> breaks_u() const;
   std::vector<double> breaks_v() const;
 };

@@ -1,4 +1,4 @@
-// One step of Levenberg-Marquardt: the damped normal equations, and how the damping follows the steps [Nielsen99].
+// One step of Levenberg-Marquardt: the damped normal equations, and how the damping follows the steps [Nielsen99; METHOD 3.2].
 #pragma once
 #include <algorithm>
 #include <cmath>

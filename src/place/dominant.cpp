@@ -90,7 +90,7 @@ class Dominant {
 }  // namespace
 
 /// Dominant columns and rows [Park11; in one direction the dominant points of Park07]. The papers were not at hand;
-/// these are the steps as later literature gives them [METHOD 5]; the weights 0.8 and 0.2, and the error that
+/// these are the steps as later literature gives them [METHOD 2.3]; the weights 0.8 and 0.2, and the error that
 /// chooses the direction, are ours. With b_i the turning angles and l_i the lengths at line i, added over the rows:
 ///  1. the two ends, then the highest local maxima of b above its mean, to at most m + 4 lines; to m + 1 by
 ///     halving the longest gap;

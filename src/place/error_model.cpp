@@ -11,7 +11,7 @@
 namespace knotfit {
 namespace {
 
-// Measured constants of METHOD 2.1.
+// Measured constants [METHOD 2.1].
 constexpr double kDensityFloor = 0.02, kDamping = 0.5, kLeastSpan = 0.01;
 constexpr int kFineRounds = 4;
 

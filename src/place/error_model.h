@@ -1,4 +1,4 @@
-// Iterated error model: knots where the (m+1)-th derivatives are large [deBoor01 NEWNOT, METHOD 2.1].
+// Iterated error model: knots where the (m+1)-th derivatives are large [deBoor01 NEWNOT; METHOD 2.1].
 #pragma once
 #include "place/context.h"
 namespace knotfit {

@@ -1,4 +1,4 @@
-// The error as a function of control points and knots together, for methods that do not eliminate either.
+// The error as a function of control points and knots together, for methods that do not eliminate either [METHOD 2.3].
 #pragma once
 #include <vector>
 

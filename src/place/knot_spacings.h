@@ -1,4 +1,4 @@
-// Knots as spacings, whose logarithms are the unknowns of their optimisation [Jupp78].
+// Knots as spacings, whose logarithms are the unknowns of their optimisation [Jupp78; METHOD 3.2].
 #pragma once
 #include <vector>
 

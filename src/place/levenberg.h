@@ -1,4 +1,4 @@
-// Levenberg-Marquardt on the knots, control points eliminated [Golub73; Kaufman75; METHOD 3].
+// Levenberg-Marquardt on the knots, control points eliminated [Golub73; Kaufman75; METHOD 3.2].
 #pragma once
 #include <functional>
 #include <optional>

@@ -8,7 +8,7 @@
 namespace knotfit {
 
 /// Groups of parameters, one a control point: their means, averaged m at a time, are the knots [Piegl00]. The paper
-/// was not at hand; these are the steps as later literature gives them [METHOD 5]. Parameters t_0 <= ... <= t_N
+/// was not at hand; these are the steps as later literature gives them [METHOD 2.3]. Parameters t_0 <= ... <= t_N
 /// of one direction (the lines of the rows), k interior knots, n = k + m + 1 control points:
 ///  1. g_0 = {t_0}, g_{n-1} = {t_N}; with step = (N - 1)/(n - 2), group i = 1..n-2 holds t_a .. t_{b-1},
 ///     a = 1 + floor((i-1) step), b = max(a + 1, 1 + floor(i step));

@@ -1,4 +1,4 @@
-// Knots that minimise the fitting error itself [METHOD 3, "the default call"].
+// Knots that minimise the fitting error itself [METHOD 3.5].
 #include <algorithm>
 #include <limits>
 
@@ -24,7 +24,7 @@ double squared_values(const ParameterizedPoints& points) {
 
 /// Knots that minimise phi(U,V), the least-squares error with the control points eliminated: variable projection
 /// [Golub73] with Kaufman's Jacobian [Kaufman75], in logarithms of the spacings [Jupp78], by Levenberg-Marquardt with
-/// Nielsen's damping [Nielsen99]. Steps [METHOD 3]; the starts, 2 and 3 are ours:
+/// Nielsen's damping [Nielsen99]. Steps [METHOD 3.5]; the starts, 2 and 3 are ours:
 ///  1. from three starts (two-stage error model, the error model iterated at the counts from uniform, equal marginal
 ///     shares of the feature measure) to a local minimum each;
 ///  2. from each, relocation: the knot of least loss dropped, one inserted where the gain is greatest, minimised again;

@@ -1,4 +1,4 @@
-// Knots of closed curves that minimise the error: what `optimal` does beyond the cut-open curve.
+// Knots of closed curves that minimise the error: what `optimal` does beyond the cut-open curve [METHOD 9.2].
 #pragma once
 #include <functional>
 #include <vector>

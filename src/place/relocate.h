@@ -1,4 +1,4 @@
-// Knots moved across the others: how an optimisation leaves its local minimum [METHOD 3].
+// Knots moved across the others: how an optimisation leaves its local minimum [METHOD 3.4].
 #pragma once
 #include "place/levenberg.h"
 namespace knotfit {

@@ -22,10 +22,10 @@ struct RowGrid {
 };
 
 /// The points' own grid, or a fit on uniform knots sampled on 101 x 101 lines, ends
-/// included [METHOD 5].
+/// included [METHOD 2.3].
 RowGrid make_row_grid(FitProblem& problem, const InteriorKnots& uniform);
 
-/// Bending and length of the rows that cross the lines of one direction, added over the rows [Park11; METHOD 5].
+/// Bending and length of the rows that cross the lines of one direction, added over the rows [Park11; METHOD 2.3].
 struct RowShape {
   std::vector<double> bend;    ///< a line: turning angles there; 0 at both ends
   std::vector<double> length;  ///< a line: distances to the line before; 0 at the first

@@ -1,4 +1,4 @@
-// Curves by the methods of surfaces: a curve is a surface that does not change along v.
+// Curves by the methods of surfaces: a curve is a surface that does not change along v [METHOD 9.1].
 #pragma once
 #include "knotfit/curve_points.h"
 #include "knotfit/place.h"

@@ -90,7 +90,7 @@ Control after(const RefineResult& earlier, const Control& control);
 Index default_control_points(const FitProblem& data);
 
 /// The residual's RMS only follows the noise: two sizes in a row gain no more than control points
-/// gain on white noise, near the noise level found in the data.
+/// gain on white noise, near the noise level found in the data [METHOD 4.8].
 class NoisePlateau {
  public:
   NoisePlateau(double noise, Index points, int dimension);

@@ -1,4 +1,4 @@
-// A greedy cover of the gaps between points.
+// A greedy cover of the gaps between points [METHOD 4.4].
 #pragma once
 #include <array>
 #include <vector>

@@ -11,7 +11,7 @@
 namespace knotfit {
 namespace {
 
-// Measured constants of METHOD 4.
+// Measured constants [METHOD 4.4].
 constexpr double kRadius = 1, kBorder = 0.5;  // of the fill
 constexpr double kReserveRadius = 0.7, kReserveBorder = 0.4;
 constexpr double kWeight = 0.3, kSlack = 1.25, kJoin = 1.02;

@@ -1,5 +1,5 @@
 // The search kept honest between the data: fill points held to a local reference, and a finer reserve
-// that a surface is checked against once it holds [METHOD 4, "Between the points"].
+// that a surface is checked against once it holds [METHOD 4.4].
 #pragma once
 #include <array>
 #include <functional>

@@ -1,5 +1,5 @@
 // The paper's framework: isolines inserted where features or errors are large, all knots placed anew,
-// until the tolerance holds; then knots dropped while it still does [Zhang16; METHOD, "insertion"].
+// until the tolerance holds; then knots dropped while it still does [Zhang16; METHOD 4.6].
 #include <algorithm>
 #include <chrono>
 #include <cmath>

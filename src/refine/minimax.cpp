@@ -11,7 +11,7 @@
 namespace knotfit {
 namespace {
 
-constexpr double kSquares = 1e-3;  // share of plain squares in the merit: beat 1e-2 and 1e-4 (METHOD 4)
+constexpr double kSquares = 1e-3;  // share of plain squares in the merit: beat 1e-2 and 1e-4 [METHOD 4.3]
 
 constexpr int kBlock = 64;  // points whose powers are taken at once
 

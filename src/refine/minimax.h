@@ -1,4 +1,4 @@
-// The least maximum: control points and knots together, by L_P with growing P [METHOD 4, step 3].
+// The least maximum: control points and knots together, by L_P with growing P [METHOD 4.3].
 #pragma once
 #include <functional>
 #include <vector>

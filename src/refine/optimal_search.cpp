@@ -1,4 +1,4 @@
-// The size search with knots that minimise the error [METHOD 4], where that can pay.
+// The size search with knots that minimise the error [METHOD 4.2], where that can pay [METHOD 4.5].
 #include <fmt/format.h>
 
 #include <chrono>

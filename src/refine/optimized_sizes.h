@@ -1,4 +1,4 @@
-// Sizes whose knots minimise the error: Levenberg-Marquardt, relocation, joint minimax [METHOD 3, 4].
+// Sizes whose knots minimise the error: Levenberg-Marquardt, relocation, joint minimax [METHOD 4.2].
 #pragma once
 #include <map>
 #include <optional>

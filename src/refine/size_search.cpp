@@ -1,4 +1,4 @@
-// Sizes p x q from small to the first that holds, then the walk down [METHOD 4].
+// Sizes p x q from small to the first that holds, then the walk down [METHOD 4.1].
 #include <algorithm>
 #include <array>
 #include <cmath>

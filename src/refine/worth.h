@@ -1,4 +1,4 @@
-// Whether optimising knots can pay, found out before it is tried.
+// Whether optimising knots can pay, found out before it is tried [METHOD 4.5].
 #pragma once
 #include "place/context.h"
 #include "refine/attempts.h"

@@ -67,7 +67,7 @@ LocalGeometry local_geometry(const Surface& s, double u, double v) {
   const double l = dot(derivative(2, 0), g.normal) / length_u / length_u;
   const double m = dot(derivative(1, 1), g.normal) / length_u / length_v;
   const double n = dot(derivative(0, 2), g.normal) / length_v / length_v;
-  // Second fundamental form in that frame: e2 = (S_v / |S_v| - c e1) / sine [do Carmo 3.3].
+  // Second fundamental form in that frame: e2 = (S_v / |S_v| - c e1) / sine [doCarmo76 3.3].
   const double b11 = l, b12 = (m - cosine * l) / sine;
   const double b22 = (n - 2 * cosine * m + cosine * cosine * l) / sine / sine;
   g.mean_curvature = (b11 + b22) / 2;

@@ -15,7 +15,7 @@ struct Node {
   double at, weight;  ///< on [-1,1]
 };
 
-/// Gauss-Legendre nodes by Newton from Chebyshev's [Abramowitz 25.4.29].
+/// Gauss-Legendre nodes by Newton from Chebyshev's [Abramowitz64 25.4.29].
 std::vector<Node> gauss_nodes(int count) {
   std::vector<Node> nodes;
   for (int k = 0; k < count; ++k) {

@@ -13,7 +13,7 @@ namespace knotfit::verify {
 namespace {
 
 constexpr Index kLeastCells = 64, kMostCells = 200;
-constexpr double kBorder = 2;  // the cover of METHOD 4 is twice as dense on the border
+constexpr double kBorder = 2;  // the guard's cover is twice as dense on the border [METHOD 4.4]
 // A hole by the rule of the local reference, for points spread evenly: 0.35 h, pi h^2 density = 80.
 const double kHoleSpacings = kHole * std::sqrt(static_cast<double>(kPlainShape.points) / std::numbers::pi);
 

@@ -23,7 +23,7 @@ constexpr double kRank = 1e-6;
 constexpr double kLeastPivot = 256 * kEpsilon;
 // Weights in one stencil are held this near to each other, so that rows scaled by them stay comparable.
 constexpr double kWeightRatio = 1e4;
-// The nugget's grid: half decades of the kernel matrix's norm [METHOD 4].
+// The nugget's grid: half decades of the kernel matrix's norm [METHOD 5.3].
 constexpr int kNuggets = 37;
 constexpr double kFirstNugget = -14, kNuggetStep = 0.5;
 

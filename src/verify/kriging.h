@@ -20,7 +20,7 @@ struct Stencil {
 ///     [K P; P^T 0] [W; B] = [Z b; 0 p]        z* = b^T W_z + p^T B_z
 ///     e^2 = sigma^2 pi^2,  sigma^2 = sum over components of Z^T W_z / (k - q),  pi^2 = -(b^T W_b + p^T B_b)
 ///
-/// solved in the null space of P^T, where K is positive definite. [METHOD 4, Wahba90]
+/// solved in the null space of P^T, where K is positive definite [METHOD 5.3; Wahba90].
 /// One object serves many stencils, one at a time.
 class Kriging {
  public:

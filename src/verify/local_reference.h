@@ -57,7 +57,7 @@ class StencilGatherer {
 ReferenceValue reference_value(StencilGatherer& gatherer, double x, double y, double noise);
 
 /// The plain and the mapped reference in one: the smaller error bar counts, but never less than a quarter
-/// of what the two differ by (without that the mapped one was confidently wrong) [METHOD 4].
+/// of what the two differ by (without that the mapped one was confidently wrong) [METHOD 5.3].
 /// A place where either has no error bar at all keeps what the plain one says.
 ReferenceValue combine(ReferenceValue plain, const ReferenceValue& mapped);
 

@@ -14,7 +14,7 @@ namespace knotfit::verify {
 using Place = std::array<double, 2>;
 
 /// References and error bars by the plain metric, and where that is unsure by the coordinates of an
-/// error-model net too [METHOD 4]. Threaded over places; the same for any number of threads.
+/// error-model net too [METHOD 5.3]. Threaded over places; the same for any number of threads.
 class ReferenceField {
  public:
   /// \param tolerance  what the error bars are held against: noise below 0.02 of it is none, and bars above

@@ -27,7 +27,7 @@ constexpr double kShare = 1.0 / 2000;  // of the places may be above kCounted
 constexpr double kBeyondDiagonal =
     0.02;  // the surface may leave the data's box by this share of its diagonal ...
 constexpr double kBeyondTolerance = 2;  // ... or so many tolerances
-// In gaps the data says less: a range about, and as much again the farther in [METHOD 4, rule B].
+// In gaps the data says less: a range about, and as much again the farther in [METHOD 5.2].
 constexpr double kGapRange = 0.2, kGapRatio = 2;
 constexpr Index kMostExcused = 500;  // places
 constexpr Index kMostStrays = 5000;  // beyond the box: more is no matter of single places

@@ -80,7 +80,7 @@ TEST(Correction, OfAMeshOnASplineChangesNothing) {
   options.gradient = 0;  // the facets' slopes are not the spline's
   options.holding = 0;
   const CorrectionResult r = correct_parameters(mesh, m.uv, m.knots, m.knots, options);
-  EXPECT_LT(r.distance.max, 1e-7);  // the smoothing floor's share, METHOD 1
+  EXPECT_LT(r.distance.max, 1e-7);  // the smoothing floor's share [METHOD 1.2]
 }
 
 TEST(Correction, WithoutRoundsIsThePlainFit) {
@@ -237,7 +237,7 @@ TEST(Correction, RefusesWhatItCannotUse) {
   expect_throw<InvalidInput>([&] { run(m, options); }, "over other knots");
 }
 
-// The figures of METHOD 7 on real meshes, 20 x 20 control points on uniform knots, lengths over the diagonal.
+// What the method was chosen by [METHOD 8.1], on real meshes: 20 x 20 control points on uniform knots, lengths over the diagonal.
 struct Target {
   const char* file;
   double rms, max;

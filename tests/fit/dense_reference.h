@@ -57,7 +57,7 @@ inline Eigen::MatrixXd kronecker(const Eigen::MatrixXd& a, const Eigen::MatrixXd
   return k;
 }
 
-/// J of METHOD 1: thin plate, or the membrane where a degree is 1.
+/// J [METHOD 1.2]: thin plate, or the membrane where a degree is 1.
 inline Eigen::MatrixXd energy_matrix(const KnotVector& u, const KnotVector& v) {
   if (u.degree() == 1 || v.degree() == 1)
     return kronecker(gram_matrix(u, 1), gram_matrix(v, 0)) + kronecker(gram_matrix(u, 0), gram_matrix(v, 1));

@@ -74,7 +74,7 @@ TEST(LeastSquares, RefinementTakesTheFloorsShareToRounding) {
   LeastSquaresOptions plain;
   plain.refinement_steps = 0;
   const double before = solved(points, knots, knots, plain).error.max;
-  EXPECT_GT(before, 1e-10);  // METHOD 1: about 4e-8
+  EXPECT_GT(before, 1e-10);  // about 4e-8 [METHOD 1.2]
   EXPECT_LT(before, 1e-6);
   EXPECT_LT(solved(points, knots, knots).error.max, 1e-13);
 }
@@ -242,7 +242,7 @@ TEST(LeastSquares, TheFloorGoesWithTheScaleOfTheData) {
 }
 
 TEST(LeastSquares, SteepDataIsNotBiasedByTheFloor) {
-  // An absolute floor held the error of this step 9 times too high (METHOD 1).
+  // An absolute floor held the error of this step 9 times too high [METHOD 1.2].
   ParameterizedPoints points;
   Uniform random(1);
   for (int k = 0; k < 4000; ++k) {

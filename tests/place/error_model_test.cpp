@@ -25,7 +25,7 @@ ParameterizedPoints sampled(const F& f, Index n = 4000, std::uint64_t seed = 1) 
   return points;
 }
 
-/// Steps 1 to 5 of METHOD 2.1 from values of the surface's derivatives alone.
+/// Steps 1 to 5 [METHOD 2.1] from values of the surface's derivatives alone.
 ErrorDensity by_the_book(const Surface& s) {
   const int m = s.degree_u(), d = s.dimension();
   const std::vector<double> breaks = s.knots_u().breaks(), across = s.knots_v().breaks();

@@ -1,4 +1,4 @@
-// Knots that minimise the fitting error itself [METHOD 3].
+// Knots that minimise the fitting error itself [METHOD 3.5].
 #include <gtest/gtest.h>
 
 #include <algorithm>

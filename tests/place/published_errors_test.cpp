@@ -1,5 +1,5 @@
 // RMS errors at 8 and 15 interior knots a direction against those measured when the methods were
-// chosen (METHOD 3): medians over seeds 1 to 3, 10 000 points, degree 3, in units of z.
+// chosen [METHOD 3.5]: medians over seeds 1 to 3, 10 000 points, degree 3, in units of z.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Control points to a max error of 1e-3 of the diagonal on the synthetic five: medians over seeds 1 to 3
-// at most those that were asked for (METHOD 4: square uniform nets need 324, 484, 6084, 3600, 324).
+// at most those that were asked for (square uniform nets need 324, 484, 6084, 3600, 324).
 #include <gtest/gtest.h>
 
 #include <algorithm>

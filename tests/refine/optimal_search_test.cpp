@@ -1,4 +1,4 @@
-// The size search with optimised knots, minimax and the guard between the data [METHOD 4].
+// The size search with optimised knots, minimax and the guard between the data [METHOD 4.2].
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The size search [METHOD 4].
+// The size search [METHOD 4.1].
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -49,7 +49,7 @@ TEST(LocalGeometry, OfAParaboloidAtItsVertex) {
   }
 }
 
-// Away from the vertex, z = a x^2 + b y^2 has H and K of a graph [do Carmo 3.3, example 5].
+// Away from the vertex, z = a x^2 + b y^2 has H and K of a graph [doCarmo76 3.3, example 5].
 TEST(LocalGeometry, OfAGraphIsThatOfTheTextbook) {
   Random random;
   for (int k = 0; k < 200; ++k) {

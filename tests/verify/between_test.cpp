@@ -145,7 +145,7 @@ TEST(Between, PromisesNothingInAHoleAndSaysHowLargeItIs) {
         net[i * n + j] += 1;
   surface = Surface(surface.knots_u(), surface.knots_v(), 1, net);
   const BetweenReport report = measure_between(surface, points, tolerance);
-  // METHOD 4: 16 % said for a hole of 20 %, since near its rim the data still reaches in.
+  // 16 % was said for a hole of 20 % when the method was chosen [METHOD 5.3], since near its rim the data still reaches in.
   EXPECT_GT(report.thin, 0.13);
   EXPECT_LT(report.thin, 0.20);
   EXPECT_LT(report.between.value(), tolerance);
@@ -245,7 +245,7 @@ TEST(Between, FindsNoiseAndMeasuresTheSurfaceBehindIt) {
   EXPECT_EQ(measure_between(surface, points, 20 * tolerance).noise, 0);
 }
 
-// METHOD 4: in error-model coordinates fewer places are beyond promise on steps.
+// In error-model coordinates fewer places are beyond promise on steps [METHOD 5.3].
 TEST(Between, MappedMetricMakesMoreOfStepsPromised) {
   const ParameterizedPoints points = test::synthetic_points("step");
   const double tolerance = 1e-3 * test::synthetic_diagonal(points);

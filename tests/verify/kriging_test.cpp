@@ -41,7 +41,7 @@ Data disk(Index k, int components = 1, std::uint64_t seed = 1, int sides = 0) {
   return data;
 }
 
-// The whole system of METHOD 4 at once, in long double.
+// The whole system [METHOD 5.3] at once, in long double.
 struct Slow {
   Matrix kernel, basis, place, p, values;
   Slow(const Data& data, int degree) {
