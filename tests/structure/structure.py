@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the structure of the sources: structure.py ROOT includes|headers|architecture|length.
+"""Checks the structure of the sources: structure.py ROOT includes|headers|architecture|length|pages.
 
 includes      every #include of src/, tool/ and include/ points to the left in ORDER; a public header
               counts as part of the folder that docs/architecture.md gives it
@@ -8,6 +8,7 @@ headers       public headers include the standard library and knotfit/*.h only; 
 architecture  docs/architecture.md and src/CMakeLists.txt tell the same order, and the page lists
               the public headers there are
 length        no source file is longer than 600 lines
+pages         links lead from README.md to every page of docs/, and every link of a page leads to something
 
 Prints every breach as path:line and exits with 1 if there is one. See docs/architecture.md.
 """
@@ -167,11 +168,56 @@ def check_length(root):
             yield f"{path.relative_to(root)}:{lines}: longer than {MAX_LINES} lines: two jobs in one file?"
 
 
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+README = "README.md"
+
+
+def anchors(page):
+    """What `#...` may follow a page's name: its headings, small, without marks, with - for spaces."""
+    headings = re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in headings}
+
+
+def links(page):
+    """(line number, target) of every link that stays in the project, code left out."""
+    code = re.sub(r"```.*?```|`[^`\n]*`", lambda m: re.sub(r"[^\n]", " ", m[0]), page.read_text(encoding="utf-8"),
+                  flags=re.S)
+    for match in LINK.finditer(code):
+        if not re.match(r"[a-z]+:", match[1]):
+            yield code.count("\n", 0, match.start()) + 1, match[1]
+
+
+def check_pages(root):
+    pages = sorted((root / "docs").rglob("*.md"))
+    linked = {}
+    for page in [*sorted(root.glob("*.md")), *pages]:
+        where = page.relative_to(root)
+        for line, link in links(page):
+            name, _, anchor = link.partition("#")
+            target = (page.parent / name).resolve() if name else page.resolve()
+            if not target.exists():
+                yield f"{where}:{line}: {link} leads nowhere"
+                continue
+            if anchor and target.suffix == ".md" and anchor not in anchors(target):
+                yield f"{where}:{line}: {link}: there is no such heading"
+            linked.setdefault(page.resolve(), set()).add(target)
+    reached, ahead = set(), [(root / README).resolve()]
+    while ahead:
+        page = ahead.pop()
+        if page not in reached:
+            reached.add(page)
+            ahead += linked.get(page, ())
+    for page in pages:
+        if page.resolve() not in reached:
+            yield f"{page.relative_to(root)}:1: no link leads from {README} to this page"
+
+
 CHECKS = {
     "includes": check_includes,
     "headers": check_headers,
     "architecture": check_architecture,
     "length": check_length,
+    "pages": check_pages,
 }
 
 

@@ -88,6 +88,23 @@ class Structure(unittest.TestCase):
         self.one(structure.check_length, {"src/fit/a.cpp": "\n" * 601}, "601")
         self.assertEqual([], self.breaches(structure.check_length, {"src/fit/a.cpp": "\n" * 600}))
 
+    def test_a_page_that_nobody_links_is_found(self):
+        pages = {"README.md": "[a](docs/a.md)\n", "docs/a.md": "# A\n[b](sub/b.md#the-b-its-own)\n",
+                 structure.DOCUMENT: "[back](../README.md)\n", "docs/sub/b.md": "# The `b`, its own\n"}
+        self.one(structure.check_pages, pages, structure.DOCUMENT, "no link")
+        linked = dict(pages, **{"README.md": f"[a](docs/a.md)\n[x]({structure.DOCUMENT})\n"})
+        self.assertEqual([], self.breaches(structure.check_pages, linked))
+        # A link in code, or from a page that is not reached itself, is none.
+        for text in ["`[x](docs/architecture.md)`\n", "```sh\n[x](docs/architecture.md)\n```\n"]:
+            self.one(structure.check_pages, dict(pages, **{"README.md": "[a](docs/a.md)\n" + text}), "no link")
+
+    def test_a_link_that_leads_nowhere_is_found(self):
+        pages = {"README.md": f"[x]({structure.DOCUMENT})\n[site](https://example.org/x)\n"}
+        self.one(structure.check_pages, dict(pages, **{"CHANGELOG.md": "\n[a](docs/gone.md)\n"}),
+                 "CHANGELOG.md:2", "docs/gone.md", "nowhere")
+        self.one(structure.check_pages, dict(pages, **{"CHANGELOG.md": f"[a]({structure.DOCUMENT}#gone)\n"}),
+                 "#gone", "heading")
+
     def test_a_wrong_order_in_the_documentation_is_found(self):
         root = Path(__file__).resolve().parents[2]
         text = (root / "docs/architecture.md").read_text(encoding="utf-8")
