@@ -11,6 +11,7 @@
 #include "exit_status.h"
 #include "feature_file.h"
 #include "fit_report.h"
+#include "knotfit/closest_point.h"
 #include "knotfit/errors.h"
 #include "knotfit/fit_sheared.h"
 #include "knotfit/fit_surface.h"
@@ -153,6 +154,15 @@ Raster fitted_heights(Raster grid, const FitResult& result, const FitInput& inpu
 std::vector<double> residuals_of_every_point(const FitResult& result, const FitInput& input) {
   if (input.all_points.size() == 0) return result.errors;
   return recheck_errors(result.surface, input.all_points);
+}
+
+// Points that no triangle has have no parameters: their distances to the surface join the errors of the others.
+std::vector<double> errors_of_all(const FitResult& result, const FitInput& input) {
+  std::vector<double> errors = residuals_of_every_point(result, input);
+  if (!input.mesh || input.mesh->loose.empty() || result.surface.empty()) return errors;
+  const ClosestPoints closest = closest_points(result.surface, input.mesh->loose);
+  errors.insert(errors.end(), closest.distances.begin(), closest.distances.end());
+  return errors;
 }
 
 // Corrected parameters, the distance, the same signed by the normal, the error at the parameters, and where on the surface
@@ -346,7 +356,7 @@ int run_fit(const FitArguments& arguments) {
     } else {
       result = fit_surface(input.points, fit_options(choices, input), control);
     }
-    if (input.all_points.size() > 0) judge_all_points(result, residuals_of_every_point(result, input));
+    judge_all_points(result, errors_of_all(result, input));
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }

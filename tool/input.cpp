@@ -1,6 +1,8 @@
 #include "input.h"
 
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "applicable_options.h"
 #include "cloud_input.h"
@@ -39,10 +41,27 @@ bool wants_base(const FitChoices& choices) {
   return choices.new_parameters.value_or(false) || choices.base.value_or("auto") != "auto";
 }
 
+/// Points of the cloud that are not among those mapped.
+template <class Place>
+std::vector<double> left_out_of(Index count, const std::vector<Index>& line, const std::vector<Index>& kept,
+                                const Place& place) {
+  const std::set<Index> mapped(kept.begin(), kept.end());
+  std::vector<double> out;
+  for (Index k = 0; k < count; ++k)
+    if (!mapped.contains(line.empty() ? k + 1 : line[k])) {
+      const std::array<double, 3> p = place(k);
+      out.insert(out.end(), p.begin(), p.end());
+    }
+  return out;
+}
+
 ParameterizedPoints parameterize_cloud(const PointTable& table, const FitChoices& choices,
                                        const Control& control, std::optional<MappedMesh>& mapped) {
   mapped = map_cloud(table, choices, control);
   ParameterizedPoints points = mesh_points(mapped->mesh, mapped->map->uv);
+  mapped->loose = left_out_of(table.size(), table.line, points.source, [&](Index k) {
+    return std::array{table.x[k], table.y[k], table.z[k]};
+  });
   if (table.weight.empty()) return points;
   std::vector<Index> row;  // of each line
   for (Index k = 0; k < table.size(); ++k) {
@@ -80,6 +99,9 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
   if ((!mesh && !anew) || points.dimension != 3) return points;
   mapped = map_points(points, in_rows, choices, control);
   ParameterizedPoints of_mesh = mesh_points(mapped->mesh, mapped->map->uv);
+  mapped->loose = left_out_of(points.size(), points.source, of_mesh.source, [&](Index k) {
+    return std::array{points.value(k)[0], points.value(k)[1], points.value(k)[2]};
+  });
   of_mesh.map = points.map;
   return of_mesh;
 }

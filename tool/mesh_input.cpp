@@ -85,6 +85,16 @@ MeshMapOptions map_options(const Mesh& mesh, const FitChoices& choices) {
   return options;
 }
 
+std::vector<double> vertices_without_faces(const Mesh& mesh) {
+  std::vector<char> used(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  for (const auto& face : mesh.faces)
+    for (const std::int32_t v : face) used[v] = 1;
+  std::vector<double> loose;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (used[v] == 0) loose.insert(loose.end(), mesh.vertex(v), mesh.vertex(v) + 3);
+  return loose;
+}
+
 }  // namespace
 
 MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices) {
@@ -93,6 +103,7 @@ MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices) {
                                         .orient = choices.orient.value_or(false),
                                         .drop_degenerate = choices.drop_degenerate.value_or(false)});
   MappedMesh mapped{.mesh = std::move(repaired.mesh), .repaired = repaired.summary, .map = std::nullopt};
+  mapped.loose = vertices_without_faces(mesh);
   mapped.openings = find_openings(mapped.mesh);
   if (!mapped.mesh.uv.empty()) measure_openings(mapped.openings, mapped.mesh, mapped.mesh.uv);
   return mapped;

@@ -21,6 +21,7 @@ struct MappedMesh {
       {};  ///< why the parameters of the file are not used; empty: they are, or it has none
   /// Where the input was no mesh but points: what they were laid over. Its mesh and map are those above.
   std::optional<CloudMap> cloud = {};
+  std::vector<double> loose = {};  ///< points that no triangle of the data has, n x 3: left out
   std::vector<Opening> openings =
       {};  ///< of the data, closed by virtual faces; shares at the map's parameters
 };

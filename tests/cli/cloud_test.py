@@ -212,6 +212,20 @@ class Rows(CloudTest):
         self.assertLess(report["correction"]["folds"]["blurred"], 2e-3)
         self.assertEqual(report["correction"]["folds"]["flipped_triangles"], 0)
 
+    def test_points_that_no_triangle_has_belong_to_the_verdict(self):
+        rows = [(x, y, 0.2 * wave(x, y)) for x, y in scattered(900)]
+        lone = (0.4, 0.5, 3.0)
+        self.write("cloud.xyz", "".join(f"{x} {y} {z}\n" for x, y, z in [*rows, lone]))
+        ask = ["fit", "cloud.xyz", "--base", "graph", "--tol", "0.05"]
+        report = self.run_json(*ask, status=3)
+        self.assertEqual(report["input"]["cloud"]["lone"], 1)
+        self.assertEqual(report["status"], "not_reached")
+        self.assertGreater(report["measured"], 2.5)
+        self.assertLess(report["error"]["max"], 0.05)  # of the points fitted
+        self.assertRegex(report["message"], r"1 points? of the input .*merged or left out.* farthest is [23]\.\d+ off")
+        # A percentile has room for it.
+        self.assertEqual(self.run_json(*ask, "--within", "99%")["status"], "reached")
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
