@@ -79,10 +79,11 @@ def of_surface(folder, report, tolerance):
         disagree = differ("errors at the parameters (JSON and CSV)", at_parameters, table["error_at_parameters"],
                           allowed)
         wanted = errors + FEET_AGREE * diagonal + allowed
-        far = at_parameters > wanted
-        found = at_parameters.copy()
+        feet_of = columns(table, ["foot_u", "foot_v"])
+        found = np.minimum(at_parameters, np.linalg.norm(surface(feet_of[:, 0], feet_of[:, 1]) - values, axis=1))
+        far = found > wanted
         if far.any():
-            found[far] = feet.distances(surface, values[far], uv[far], wanted[far])
+            found[far] = feet.distances(surface, values[far], feet_of[far], wanted[far])
         recomputed = np.where(found <= wanted, errors, found)
         disagree = disagree or differ("distances (JSON and CSV)", recomputed, errors, 10 * FEET_AGREE * diagonal)
     else:
