@@ -23,6 +23,17 @@ Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
+Json swings_of(const SwingReport& s) {
+  if (!s.measured) return nullptr;
+  return {{"largest", number(s.largest)},
+          {"distance", number(s.distance)},
+          {"t", s.worst_u},
+          {"in_gap", s.in_gap},
+          {"places", s.places},
+          {"above_3", s.above},
+          {"beyond_box", number(s.beyond_box)}};
+}
+
 /// Nothing that a second run changes.
 Json outcome(const CurveReport& r) {
   const CurveFitResult& f = r.result;
@@ -55,11 +66,13 @@ Json outcome(const CurveReport& r) {
             {"worst", worst}}},
           {"tolerance", tolerance},
           {"measured", number(f.measured)},
+          {"swings", swings_of(f.swings)},
           {"reached", f.reached},
           {"status", to_string(f.status)},
           {"message", f.message},
           {"method", f.method},
           {"fits", f.fits},
+          {"noise", number(f.noise)},
           {"diagonal", number(f.diagonal)},
           {"points", r.points.size()},
           {"left_out", r.reading.left_out},
@@ -67,7 +80,9 @@ Json outcome(const CurveReport& r) {
 }
 
 std::string verdict(const CurveFitResult& f) {
-  return fmt::format("{} control points, RMS {:.3g}, max {:.3g}", f.control_points, f.error.rms, f.error.max);
+  return fmt::format("{}{} control points, RMS {:.3g}, max {:.3g}",
+                     f.swings.swings ? "swings between the points: " : "", f.control_points, f.error.rms,
+                     f.error.max);
 }
 
 CurveDocument document_of(const CurveReport& r) {
@@ -127,12 +142,14 @@ std::string curve_to_json(const CurveReport& r) {
 
 std::string curve_to_text(const CurveReport& r) {
   const CurveFitResult& f = r.result;
-  std::string text = fmt::format("{}: {} points, {}{}, diagonal {:.6g}\n", input_name(r.arguments.input),
-                                 r.points.size(), f.closed ? "closed, " : "",
-                                 r.points.function         ? "y over x"
-                                 : r.points.dimension == 2 ? "planar"
-                                                           : "in space",
-                                 f.diagonal);
+  // What makes a curve useless stands before all figures.
+  std::string text = f.swings.swings ? f.notes.front() + "\n" : "";
+  text += fmt::format("{}: {} points, {}{}, diagonal {:.6g}\n", input_name(r.arguments.input),
+                      r.points.size(), f.closed ? "closed, " : "",
+                      r.points.function         ? "y over x"
+                      : r.points.dimension == 2 ? "planar"
+                                                : "in space",
+                      f.diagonal);
   text += columns_to_text(r.reading);
   text += fmt::format("curve: {} control points, degree {}, knots by {}\n", f.control_points,
                       f.curve.degree(), f.method);
@@ -143,12 +160,16 @@ std::string curve_to_text(const CurveReport& r) {
   text += fmt::format("error: max {}, rms {}, median {:.4g}, 95 % {:.4g}\n", share(f.error.max),
                       share(f.error.rms), f.error.median, f.error.p95);
   text += f.tolerance > 0
-              ? fmt::format("tolerance: {:.4g}: {}\n", f.tolerance, f.reached ? "reached" : "NOT reached")
+              ? fmt::format("tolerance: {:.4g}: {}\n", f.tolerance,
+                            f.reached ? "reached"
+                            : f.measured <= f.tolerance
+                                ? "NOT reached (held at the points; the curve swings between them)"
+                                : "NOT reached")
               : std::string("tolerance: none asked\n");
   text +=
       fmt::format("status: {}: {}\n{} fits, {:.2f} s\n", to_string(f.status), f.message, f.fits, r.seconds);
   text += notes_to_text(r.reading);
-  for (const std::string& note : f.notes) text += "note: " + note + "\n";
+  for (std::size_t i = f.swings.swings ? 1 : 0; i < f.notes.size(); ++i) text += "note: " + f.notes[i] + "\n";
   return text + wrote(r.outputs);
 }
 

@@ -51,12 +51,14 @@ struct CurveFitResult {
   ErrorSummary error;
   double tolerance = 0;  ///< absolute; 0: none asked
   Tolerance asked;
-  double diagonal = 0;  ///< of the bounding box; a function's range
-  double measured = 0;  ///< the error that counts
-  bool reached = false;
-  std::string method;  ///< or "given"
+  double diagonal = 0;   ///< of the bounding box; a function's range
+  double measured = 0;   ///< the error that counts
+  bool reached = false;  ///< at the points and between them
+  SwingReport swings;    ///< whether the curve keeps to its data between the points; worst_u is its t
+  std::string method;    ///< or "given"
   std::vector<CurveSizeTried> tried;
   long fits = 0;
+  double noise = 0;  ///< estimated from the data; 0: none found
   std::vector<std::string> notes;
 };
 

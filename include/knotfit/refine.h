@@ -100,6 +100,9 @@ struct RefineResult {
 
 /// The scale of make_data_energy() for a tolerance: three times one in root mean square, else itself.
 double energy_scale(const Tolerance& tolerance);
+/// The energy for a surface that misses the tolerance: its scale is that surface's error, but at least the tolerance's.
+std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, const Tolerance& tolerance,
+                                             double error);
 
 /// \throws InvalidInput  tolerance <= 0 or not finite, a span ratio that is negative or not finite, or below rounding of the data; unknown method
 RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,

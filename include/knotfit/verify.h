@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "knotfit/control.h"
+#include "knotfit/curve.h"
+#include "knotfit/curve_points.h"
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
 namespace knotfit {
@@ -76,8 +78,18 @@ struct SwingReport {
 SwingReport measure_swings(const Surface& surface, const ParameterizedPoints& points,
                            const std::vector<double>& errors, double tolerance);
 
+/// Of a curve: boxes of the 4 nearest points and the gap's ends, errors of the 2 nearest, in gaps of at most three times the
+/// distance to the second neighbour. A crest that the polynomials through its neighbours confirm is none.
+/// \param curve   over [0,1]
+/// \param points  their parameters on it
+SwingReport measure_swings(const Curve& curve, const CurvePoints& points, const std::vector<double>& errors,
+                           double tolerance);
+
 /// Standard deviation of the noise in the values, by restricted likelihood of a nugget on random
 /// local stencils (median) [METHOD 5.3]; 0 where there are too few points to tell.
 double estimate_noise(const ParameterizedPoints& points, unsigned long long seed = 1);
+/// Of a curve: from what every point is off the cubic through its four neighbours (median); interpolation's own error where
+/// the data has no noise. 0 below 8 distinct parameters.
+double estimate_noise(const CurvePoints& points);
 
 }  // namespace knotfit

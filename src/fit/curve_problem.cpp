@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fit/gauss_rule.h"
 #include "knotfit/basis.h"
@@ -46,10 +47,57 @@ Sparse energy(const KnotVector& knots, Index n) {
   return j;
 }
 
+/// The data energy of the curve of a strip, which counts twice what the curve counts once.
+struct HeldTerms {
+  Sparse matrix;
+  Eigen::MatrixXd right;
+  HeldTerms(const DataEnergy& energy, const KnotVector& knots, Index n, double factor, int dimension)
+      : matrix(n, n), right(Eigen::MatrixXd::Zero(n, dimension)) {
+    const int m = knots.degree(), w = m + 1, most = std::min(m, 2);
+    const GaussRule& rule = gauss_rule(m);
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<double> table((most + 1) * w), weight(DataEnergy::kKinds), goal(energy.goal_size()),
+        scratch(energy.scratch_size());
+    for (Index s = m; s < knots.size(); ++s) {
+      const double low = knots[s], h = knots[s + 1] - low;
+      if (!(h > 0)) continue;
+      energy.integrate(low, low + h, 0, 1, weight.data(), goal.data(), scratch.data());
+      for (int order = 1; order <= most; ++order) {
+        const int kind = order == 1 ? DataRaster::kU : DataRaster::kUu;
+        Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(w, w);                       // means of products
+        Eigen::MatrixXd legendre = Eigen::MatrixXd::Zero(DataEnergy::kOrder, w);  // coefficients
+        for (std::size_t g = 0; g < rule.node.size(); ++g) {
+          basis_derivatives(knots, s, low + h * (rule.node[g] + 1) / 2, order, table);
+          const Eigen::Map<const Eigen::RowVectorXd> of(table.data() + order * w, w);
+          gram += rule.weight[g] / 2 * of.transpose() * of;
+          legendre.row(0) += rule.weight[g] / 2 * of;
+          legendre.row(1) += 1.5 * rule.weight[g] * rule.node[g] * of;
+        }
+        for (int a = 0; a < w; ++a) {
+          const Index row = (s - m + a) % n;
+          for (int b = 0; b < w; ++b)
+            entries.emplace_back(row, (s - m + b) % n, factor / 2 * weight[kind] * gram(a, b));
+          for (int x = 0; x < DataEnergy::kOrder; ++x)
+            for (int e = 0; e < dimension; ++e)
+              right(row, e) +=
+                  factor / 2 * legendre(x, a) *
+                  goal[(Index{x * DataEnergy::kOrder} * DataEnergy::kKinds + kind) * energy.dimension() + e];
+        }
+      }
+    }
+    matrix.setFromTriplets(entries.begin(), entries.end());
+  }
+};
+
 }  // namespace
 
-CurveProblem::CurveProblem(CurvePoints points, int degree, double smoothing)
-    : points_(std::move(points)), degree_(degree), smoothing_(smoothing) {}
+CurveProblem::CurveProblem(CurvePoints points, int degree, double smoothing,
+                           std::shared_ptr<const DataEnergy> energy)
+    : points_(std::move(points)), degree_(degree), smoothing_(smoothing), energy_(std::move(energy)) {
+  double sum = 0;
+  for (Index k = 0; k < points_.size(); ++k) sum += points_.weight(k);
+  mean_weight_ = sum / static_cast<double>(points_.size());
+}
 
 double CurveProblem::on_curve(double t) const {
   return points_.closed && t < curve_.knots().first() ? t + 1 : t;
@@ -79,15 +127,23 @@ bool CurveProblem::solve(const std::vector<double>& knots) {
     for (int e = 0; e < d; ++e) p(k, e) = std::sqrt(points_.weight(k)) * points_.value(k)[e];
   const Sparse g = Sparse(a.transpose() * a), j = energy(vector, n);
   const auto trace = [](const Sparse& x) { return x.diagonal().sum(); };
+  std::optional<HeldTerms> held;
+  if (energy_) held.emplace(*energy_, vector, n, mean_weight_, d);
   Eigen::SimplicialLDLT<Sparse> factor;
   for (double floor = smoothing_; floor <= std::max(1e-5, smoothing_); floor = std::max(100 * floor, 1e-14)) {
-    factor.compute(Sparse(g + floor * trace(g) / trace(j) * j));
+    Sparse matrix = g + floor * trace(g) / trace(j) * j;
+    if (held) matrix += held->matrix;
+    factor.compute(matrix);
     if (factor.info() == Eigen::Success && factor.vectorD().minCoeff() > 0) break;
   }
   if (factor.info() != Eigen::Success) return false;
-  Eigen::MatrixXd c = factor.solve(a.transpose() * p);
+  Eigen::MatrixXd right = a.transpose() * p;
+  if (held) right += held->right;
+  Eigen::MatrixXd c = factor.solve(right);
   Eigen::MatrixXd r = a * c - p;
-  c -= factor.solve(a.transpose() * r);
+  Eigen::MatrixXd gradient = a.transpose() * r;
+  if (held) gradient += held->matrix * c - held->right;
+  c -= factor.solve(gradient);
   r = a * c - p;
   if (!c.allFinite() || !r.allFinite()) return false;
   phi_ = r.squaredNorm();

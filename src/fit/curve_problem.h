@@ -1,7 +1,9 @@
 // One curve fitted again and again with other knots, open or closed [METHOD 9.1].
 #pragma once
+#include <memory>
 #include <vector>
 
+#include "fit/data_energy.h"
 #include "knotfit/curve.h"
 #include "knotfit/curve_points.h"
 #include "knotfit/tolerance.h"
@@ -12,7 +14,9 @@ namespace knotfit {
 class CurveProblem {
  public:
   /// \param points  valid; their parameters may be changed between solves
-  CurveProblem(CurvePoints points, int degree, double smoothing);
+  /// \param energy  of the curve's strip (strip_raster), or none
+  CurveProblem(CurvePoints points, int degree, double smoothing,
+               std::shared_ptr<const DataEnergy> energy = nullptr);
   CurvePoints& points() { return points_; }
   const CurvePoints& points() const { return points_; }
   int degree() const { return degree_; }
@@ -35,7 +39,8 @@ class CurveProblem {
  private:
   CurvePoints points_;
   int degree_;
-  double smoothing_;
+  double smoothing_, mean_weight_ = 1;
+  std::shared_ptr<const DataEnergy> energy_;
   std::vector<double> knots_, r_;
   Curve curve_;
   double phi_ = 0;

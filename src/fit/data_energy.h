@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "knotfit/points.h"
+#include "fit/data_raster.h"
 namespace knotfit {
 
 /// Weights and goals over the square, of the data alone: no knots are in it, so a fit's error stays smooth in them.
@@ -14,16 +14,13 @@ namespace knotfit {
 /// derivatives of the data's own local quadratic, 0 in holes. Piecewise constant on a raster.
 class DataEnergy {
  public:
-  enum Kind { kUu, kUv, kVv, kU, kV };
-  static constexpr int kKinds = 5;
+  static constexpr int kKinds = DataRaster::kKinds;
   /// Legendre degrees to which goals are resolved in a cell: moments against P_0, P_1 in each direction.
   static constexpr int kOrder = 2;
 
-  /// \param points  valid
-  /// \param scale   t > 0: errors of this size are all the same to the caller
-  DataEnergy(const ParameterizedPoints& points, double scale);
+  explicit DataEnergy(DataRaster raster);
 
-  int dimension() const { return dimension_; }
+  int dimension() const { return raster_.dimension; }
   /// Over a cell of positive area.
   /// \param weight  5 integrals of w_kind
   /// \param goal    2 x 2 x 5 x dimension integrals of w_kind G_kind P_a(u') P_b(v'), u', v' in [-1,1]: entry
@@ -32,7 +29,7 @@ class DataEnergy {
   void integrate(double u0, double u1, double v0, double v1, double* weight, double* goal,
                  double* scratch) const;
   Index scratch_size() const { return 2 * channels_; }
-  Index goal_size() const { return Index{kOrder * kOrder * kKinds} * dimension_; }
+  Index goal_size() const { return Index{kOrder * kOrder * kKinds} * dimension(); }
   /// The data's finest spacing along a strip low..high of u (of v: along_v) across the square: a span shorter than it is
   /// not worth a cut.
   double finest_spacing(double low, double high, bool along_v) const;
@@ -43,10 +40,10 @@ class DataEnergy {
   void from_sums(const std::array<double, 4>& box, double* weight, double* goal, double* total) const;
   void sums_up_to(double u, double v, double* sums) const;
 
-  int dimension_;
-  Index side_, channels_;
-  std::vector<double> weight_, goal_;  ///< a raster cell: 5 weights; 5 x dimension goals times their weights
-  std::vector<double> sums_;           ///< (side + 1)^2 nodes x channels: weights, then the moments of goals
+  DataRaster raster_;
+  Index channels_;
+  std::vector<double>
+      sums_;  ///< (side_u + 1) x (side_v + 1) nodes x channels: weights, then the moments of goals
   std::vector<double> finest_u_, finest_v_;
 };
 

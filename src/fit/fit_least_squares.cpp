@@ -13,7 +13,7 @@ std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& po
   validate(points);
   if (!(scale > 0) || !std::isfinite(scale))
     throw InvalidInput(fmt::format("a data energy for errors of {}: it must be positive and finite", scale));
-  return std::make_shared<const DataEnergy>(points, scale);
+  return std::make_shared<const DataEnergy>(data_raster(points, scale));
 }
 
 LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const KnotVector& knots_u,

@@ -7,134 +7,37 @@
 #include <cmath>
 #include <limits>
 
-#include "correct/curve_feet.h"
-#include "fit/curve_problem.h"
 #include "knotfit/errors.h"
+#include "pipeline/curve_fitter.h"
 #include "pipeline/curve_notes.h"
 #include "pipeline/frame.h"
 #include "pipeline/requirements.h"
-#include "place/periodic.h"
-#include "place/shares.h"
-#include "place/strip.h"
-#include "spline/clamped.h"
+#include "refine/attempts.h"
 namespace knotfit {
 namespace {
 
-/// One size fitted: the knots of the method, parameters corrected where wanted.
-struct Fitted {
-  Index control_points = 0;
-  double error = std::numeric_limits<double>::infinity();  ///< that counts, in the frame
-  std::vector<double> knots, t;
-  Curve curve;
-};
+constexpr double kNoiseSeen = 0.02;  // of the tolerance: less noise does not matter
 
-class CurveFitter {
- public:
-  CurveFitter(const CurvePoints& inside, const CurveFitOptions& options, const Tolerance& measure,
-              const Control& control)
-      : inside_(inside), options_(options), measure_(measure), control_(control) {}
-
-  Index least() const { return options_.degree + 1; }
-  long fits() const { return fits_; }
-  const std::vector<std::string>& notes() const { return notes_; }
-
-  Fitted size(Index control_points) {
-    CurveProblem problem(inside_, options_.degree, options_.smoothing);
-    std::vector<double> knots = place(problem, control_points);
-    Fitted best = take(problem, knots);
-    if (options_.corrections > 0 && correct(problem, knots)) {
-      keep_better(best, take(problem, knots));
-      knots = place(problem, control_points);  // for the parameters as they are now
-      correct(problem, knots);
-      keep_better(best, take(problem, knots));
-    }
-    fits_ += problem.fits();
-    return best;
-  }
-
-  Fitted given(const std::vector<double>& knots) {
-    CurveProblem problem(inside_, options_.degree, options_.smoothing);
-    Fitted best = take(problem, knots);
-    if (options_.corrections > 0 && correct(problem, knots)) keep_better(best, take(problem, knots));
-    fits_ += problem.fits();
-    return best;
-  }
-
- private:
-  bool stopped() const { return control_.stop.stop_requested(); }
-
-  std::vector<double> place(CurveProblem& problem, Index control_points) {
-    PlacementOptions place;
-    place.degree_u = options_.degree;
-    // A period has as many knots as control points, the seam one of them.
-    place.interior_u =
-        static_cast<int>(inside_.closed ? control_points - 1 : control_points - options_.degree - 1);
-    place.smoothing = options_.smoothing;
-    place.feature = options_.feature;
-    place.user_features = options_.user_features;
-    place.evaluations = options_.evaluations;
-    const Placement placed = place_curve_knots(options_.method, problem.points(), place, control_);
-    fits_ += placed.fits;
-    for (const std::string& note : placed.notes)
-      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
-    std::vector<double> knots = placed.knots.u;
-    if (!inside_.closed) return knots;
-    knots.insert(knots.begin(), 0.0);
-    if (options_.method == "optimal") optimize_period(problem, knots, [&] { return stopped(); });
-    return knots;
-  }
-
-  Fitted take(CurveProblem& problem, const std::vector<double>& knots) {
-    Fitted fitted;
-    if (!problem.solve(knots)) return fitted;
-    fitted.knots = knots;
-    fitted.curve = problem.curve();
-    fitted.control_points = inside_.closed ? static_cast<Index>(knots.size()) : fitted.curve.size();
-    fitted.error = problem.measured(measure_);
-    for (double t : problem.points().t) fitted.t.push_back(problem.on_curve(t));
-    return fitted;
-  }
-
-  static void keep_better(Fitted& best, Fitted other) {
-    if (other.error < best.error) best = std::move(other);
-  }
-
-  /// Rounds of feet and fits at these knots. \return whether any parameter moved
-  bool correct(CurveProblem& problem, const std::vector<double>& knots) {
-    bool moved = false;
-    CurvePoints& points = problem.points();
-    for (int round = 0; round < options_.corrections && !stopped(); ++round) {
-      if (!problem.solve(knots)) break;
-      const double before = problem.phi();
-      std::vector<double> feet;
-      for (double t : points.t) feet.push_back(problem.on_curve(t));
-      correction::curve_feet(problem.curve(), points.closed, points.values, feet);
-      for (Index k = 0; k < points.size(); ++k) {
-        const double t = points.closed ? feet[k] - std::floor(feet[k]) : feet[k];
-        moved |= t != points.t[k];
-        points.t[k] = t;
-      }
-      if (!problem.solve(knots) || !(problem.phi() < before * (1 - 1e-4))) break;
-    }
-    return moved;
-  }
-
-  const CurvePoints& inside_;
-  const CurveFitOptions& options_;
-  Tolerance measure_;
-  const Control& control_;
-  long fits_ = 0;
-  std::vector<std::string> notes_;
-};
+/// Of two curves that do not hold, the one to keep: one that keeps to its data, else the least error.
+bool nearer(const FittedCurve& a, const FittedCurve& b) {
+  if (b.empty() || a.empty()) return !a.empty();
+  if (a.swings.swings != b.swings.swings) return !a.swings.swings;
+  return a.error < b.error;
+}
 
 /// Up by a tenth until a size holds, down one at a time while two sizes below may hold.
 Status search(CurveFitter& fitter, const CurveFitOptions& options, const Tolerance& tolerance, Index most,
-              const Control& control, double scale, CurveFitResult& result, Fitted& best) {
+              const Control& control, double scale, NoisePlateau& plateau, CurveFitResult& result,
+              FittedCurve& best) {
   const long budget = options.max_fits > 0 ? options.max_fits : 100000;
-  Fitted nearest;
+  FittedCurve nearest;
+  nearest.swings.swings = true;
+  bool held_but_swings = false, only_noise = false;
   const auto attempt = [&](Index n) {
-    Fitted fitted = fitter.size(n);
-    const bool holds = fitted.error <= tolerance.value;
+    FittedCurve fitted = fitter.size(n);
+    const bool holds = fitter.holds(fitted);
+    only_noise = !holds && !fitted.empty() && plateau.add(n, fitted.rms);
+    held_but_swings = held_but_swings || (fitted.error <= tolerance.value && !holds);
     result.tried.push_back({static_cast<int>(n), fitted.error * scale, holds});
     if (control.progress)
       control.progress({.stage = "size search",
@@ -145,7 +48,7 @@ Status search(CurveFitter& fitter, const CurveFitOptions& options, const Toleran
                         .fits = fitter.fits()});
     if (holds)
       best = std::move(fitted);
-    else if (fitted.error < nearest.error)
+    else if (nearer(fitted, nearest))
       nearest = std::move(fitted);
     return holds;
   };
@@ -159,9 +62,12 @@ Status search(CurveFitter& fitter, const CurveFitOptions& options, const Toleran
   for (;; n = std::min(most, n + std::max<Index>(1, n / 10))) {
     const bool holds = attempt(n);
     if (holds) break;
-    if (over() || n == most) {
+    if (over() || only_noise || n == most) {
       best = std::move(nearest);
-      if (over()) return cut(Status::limit_reached);
+      if (control.stop.stop_requested() || late()) return cut(Status::limit_reached);
+      if (held_but_swings) return Status::swings;
+      if (only_noise) return Status::tolerance_below_noise;
+      if (over()) return Status::limit_reached;
       return options.max_control_points > 0 ? Status::limit_reached : Status::data_too_sparse;
     }
   }
@@ -216,32 +122,6 @@ void check_options(const CurvePoints& points, const CurveFitOptions& o) {
   }
 }
 
-/// Clamped over [0,1], from one period over its own.
-Curve finished(const Curve& curve, bool closed) {
-  const double first = curve.knots().first();
-  std::vector<double> knots = curve.knots().knots();
-  for (double& t : knots) t -= first;
-  std::vector<double> net;
-  const int d = curve.dimension();
-  for (Index i = 0; i < curve.size(); ++i)
-    for (int copy = 0; copy < 2; ++copy)
-      net.insert(net.end(), curve.control_points().begin() + i * d,
-                 curve.control_points().begin() + (i + 1) * d);
-  const Surface strip =
-      clamped(Surface(KnotVector(curve.degree(), knots), KnotVector::uniform(1, 0), d, net));
-  std::vector<double> row;
-  for (Index i = 0; i < strip.size_u(); ++i) {
-    const auto c = strip.control_point(i, 0);
-    row.insert(row.end(), c.begin(), c.end());
-  }
-  if (closed) std::copy_n(row.begin(), d, row.end() - d);  // to the last bit
-  // The period's end is 1 up to rounding.
-  std::vector<double> clean = strip.knots_u().knots();
-  for (double& t : clean)
-    if (t == strip.knots_u().last()) t = 1;
-  return Curve(KnotVector(curve.degree(), std::move(clean)), d, std::move(row));
-}
-
 std::string message_of(const CurveFitResult& r) {
   std::string what = fmt::format("{} control points: RMS error {:.4g}, largest {:.4g}", r.control_points,
                                  r.error.rms, r.error.max);
@@ -250,6 +130,20 @@ std::string message_of(const CurveFitResult& r) {
       return fmt::format("{}; the tolerance {:.4g} holds", what, r.tolerance);
     case Status::fixed_size:
       return what;
+    case Status::tolerance_below_noise:
+      return fmt::format(
+          "{}; the tolerance {:.4g} is below the noise of the data (standard deviation about {:.3g}): more "
+          "control points would only follow the noise",
+          what, r.tolerance, r.noise);
+    case Status::swings:
+      return r.measured <= r.tolerance
+                 ? fmt::format(
+                       "{}; the tolerance {:.4g} holds at the points, but between them the curve swings",
+                       what, r.tolerance)
+                 : fmt::format(
+                       "{}; every curve found that holds the tolerance {:.4g} at the points swings "
+                       "between them",
+                       what, r.tolerance);
     case Status::data_too_sparse:
       return fmt::format("{}; half as many control points as points do not hold the tolerance {:.4g}", what,
                          r.tolerance);
@@ -291,30 +185,32 @@ CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& optio
   tolerance.value = std::max(0.0, (result.tolerance * (1 - 1e-9) - 4 * frame.rounding()) / frame.scale());
 
   CurveFitter fitter(inside, options, tolerance, control);
-  Fitted best;
+  FittedCurve best;
   Status status = Status::fixed_size;
   if (options.knots) {
     best = fitter.given(*options.knots);
   } else if (!searched) {
-    best = fitter.size(options.control_points);
+    best = fitter.fixed_size(options.control_points);
     if (control.stop.stop_requested()) status = Status::stopped;
   } else {
     Index most = options.max_control_points > 0 ? options.max_control_points : points.size() / 2;
     most = std::clamp<Index>(most, options.degree + 1, points.size());
-    status = search(fitter, options, tolerance, most, control, frame.scale(), result, best);
+    const double noise = estimate_noise(inside);
+    if (noise > kNoiseSeen * tolerance.value) result.noise = noise * frame.scale();
+    NoisePlateau plateau(result.noise / frame.scale(), points.size(), points.dimension);
+    status = search(fitter, options, tolerance, most, control, frame.scale(), plateau, result, best);
   }
   result.method = options.knots ? "given" : options.method;
   result.fits = fitter.fits();
   result.notes = fitter.notes();
-  if (best.knots.empty() && best.t.empty()) {
+  if (best.empty()) {
     result.status = Status::failed;
     result.message = message_of(result);
     return result;
   }
 
-  const double first = best.curve.knots().first();
   result.control_points = best.control_points;
-  const Curve unit = finished(best.curve, points.closed);
+  const Curve& unit = best.curve;
   std::vector<double> net;
   for (Index i = 0; i < unit.size(); ++i)
     for (int copy = 0; copy < 2; ++copy)
@@ -333,21 +229,31 @@ CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& optio
   result.knots = result.curve.knots().interior();
   ParameterizedPoints checked = border;
   for (Index k = 0; k < points.size(); ++k) {
-    result.t.push_back(std::clamp(best.t[k] - first, 0.0, 1.0));
+    result.t.push_back(best.t[k]);
     checked.uv[2 * k] = result.t.back();
   }
   // Apart from the fit's own evaluation, on the curve as it is handed out.
   result.errors = recheck_errors(strip, checked);
   result.error = summarize_errors(result.errors, checked);
   result.measured = options.tolerance ? measured_error(result.errors, result.asked) : result.error.max;
-  result.reached = options.tolerance && result.measured <= result.tolerance;
+  result.swings = best.swings;
+  for (double* x : {&result.swings.distance, &result.swings.beyond_box}) *x *= frame.scale();
+  const bool holds = options.tolerance && result.measured <= result.tolerance;
+  result.reached = holds && !result.swings.swings;
   const bool cut = status == Status::stopped || status == Status::time_limit;
   result.status = !options.tolerance || cut               ? status
+                  : holds && !result.reached              ? Status::swings
                   : result.reached                        ? Status::reached
                   : searched && status != Status::reached ? status
                                                           : Status::not_reached;
   result.message = message_of(result);
-  for (std::string& note : curve_notes(result, points)) result.notes.push_back(std::move(note));
+  if (best.swing_before > 0)
+    result.notes.push_back(
+        fmt::format("the least squares of these knots swing between the points (by {:.3g} times the errors "
+                    "there): an energy that follows the data's own spacing holds the curve",
+                    best.swing_before));
+  const std::vector<std::string> of_curve = curve_notes(result, points);
+  result.notes.insert(result.notes.begin(), of_curve.begin(), of_curve.end());
   return result;
 }
 

@@ -17,11 +17,10 @@
 #include "pipeline/requirements.h"
 #include "pipeline/verdict.h"
 #include "place/shares.h"
+#include "verify/swing_limits.h"
 #include "verify/swings.h"
 namespace knotfit {
 namespace {
-
-constexpr Index kSwingPlaces = 20000;  // a search asks of every net that would become the best
 
 /// The surface of the knots chosen: their least squares, with the refinement step that takes the smoothing
 /// floor's share out, or the control points the search found. The problem holds it.
@@ -181,7 +180,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   Tolerance tolerance = result.asked;
   tolerance.value = std::max(0.0, (result.tolerance * (1 - 1e-9) - 4 * frame.rounding()) / frame.scale());
   Keeping keeping;
-  keeping.sites = std::make_shared<const verify::SwingSites>(inside, kSwingPlaces);
+  keeping.sites = std::make_shared<const verify::SwingSites>(inside, verify::kSearchPlaces);
   if (searched) {
     const double noise = estimate_noise(inside);
     if (noise > 0.02 * tolerance.value) result.noise = noise * frame.scale();
@@ -193,7 +192,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   if (!searched && in_time && fitted->solved && fitted->swings.swings && !fitted->problem->on_grid()) {
     // A size or knots of the user's, whose least squares swing: the same held to the data by its energy, for errors of the
     // size that it leaves.
-    keeping.energy = make_data_energy(inside, std::max(energy_scale(tolerance), fitted->problem->rms()));
+    keeping.energy = own_energy(inside, tolerance, fitted->problem->rms());
     auto held = std::make_unique<Fitted>(inside, options, tolerance, 0.0, keeping, time_left(control, start));
     held->chosen.fits += fitted->chosen.fits + fitted->problem->fits();
     if (held->solved && held->swings.largest < fitted->swings.largest) {
@@ -237,8 +236,9 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   for (double* x : {&result.swings.distance, &result.swings.beyond_box}) *x *= frame.scale();
   judge(result, points, chosen.status, options.tolerance.has_value(), searched);
   if (result.empty_cells > 0)
-    result.notes.push_back(fmt::format(
-        "{} knot cells hold no point: the smoothing floor shapes the surface there", result.empty_cells));
+    result.notes.push_back(
+        fmt::format("{} knot cells hold no point: {} shapes the surface there", result.empty_cells,
+                    result.least_squares ? "the smoothing floor" : "the energy that holds it to the data"));
   const bool over = control.stop.stop_requested() || out_of_time(control, start);
   if (chosen.method == "optimal" && !over) compare(result, problem, inside, tolerance, frame.scale());
   if (options.between && !control.stop.stop_requested()) {

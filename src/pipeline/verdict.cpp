@@ -7,6 +7,7 @@
 
 #include "knotfit/errors.h"
 #include "pipeline/message.h"
+#include "verify/swing_limits.h"
 namespace knotfit {
 namespace {
 
@@ -64,12 +65,13 @@ void note_swings(FitResult& result) {
   const SwingReport& s = result.swings;
   if (!s.swings) return;
   std::string note = "the surface swings between the points";
-  if (s.largest > 3)
+  if (s.largest > verify::kCountedSwing)
     note += fmt::format(": at {} it leaves the range of the points about by {:.3g}, {:.3g} times {}",
                         place_text(result.map, s.worst_u, s.worst_v), s.distance, s.largest,
                         s.in_gap ? "what such a gap allows" : "the larger of the tolerance and their errors");
-  if (s.beyond_box > 0.02 * result.diagonal)
-    note += fmt::format("{} at {} it leaves the box of all data by {:.3g}", s.largest > 3 ? ", and" : ":",
+  if (s.beyond_box > verify::kBoxShare * result.diagonal)
+    note += fmt::format("{} at {} it leaves the box of all data by {:.3g}",
+                        s.largest > verify::kCountedSwing ? ", and" : ":",
                         place_text(result.map, s.box_u, s.box_v), s.beyond_box);
   result.notes.insert(result.notes.begin(), note + "; " + kRemedies);
 }

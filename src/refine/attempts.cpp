@@ -7,6 +7,7 @@
 
 #include "fit/scattered.h"
 #include "refine/size_solver.h"
+#include "verify/swing_limits.h"
 namespace knotfit {
 
 namespace {
@@ -14,10 +15,13 @@ namespace {
 /// How much worse than its tolerance a surface counts that holds it at the points and swings between them: by the root of what it
 /// is beyond what is allowed, but never so far that the size looks hopeless.
 double refused(const SwingReport& swings, double tolerance) {
-  return tolerance * std::clamp(std::sqrt(swings.largest / 10), 1.001, 1.3);
+  return tolerance * std::clamp(std::sqrt(swings.largest / verify::kLargestSwing), 1.001, 1.3);
 }
 
 constexpr int kMostMends = 40, kMendRounds = 4;
+// Nets that swing by so many times what is allowed, and how many of them show that least squares alone will not do.
+constexpr double kWild = 10;
+constexpr int kMostWild = 2;
 
 }  // namespace
 
@@ -71,6 +75,7 @@ double Attempts::offer(const FitProblem& problem, double error, bool least_squar
     verify::SwingSites::Strays strays;
     SwingReport report =
         options_.sites->measure(surface, problem.errors(), options_.tolerance.value, &strays);
+    if (report.largest > kWild * verify::kLargestSwing) ++wild_;
     if (good && report.swings) {
       held_but_swings_ = true;
       if (least_squares && options_.energy && mend(problem, strays, surface, report, error)) {
@@ -81,7 +86,8 @@ double Attempts::offer(const FitProblem& problem, double error, bool least_squar
       }
     }
     // Of two that swing, the error counts times the swing.
-    const double counted = error * (report.swings ? std::max(1.0, report.largest / 10) : 1);
+    const double counted =
+        error * (report.swings ? std::max(1.0, report.largest / verify::kLargestSwing) : 1);
     if (good || (!best_holds_ && (report.swings != best_swings_ ? !report.swings : counted < best_error_))) {
       best_ = problem.knots();
       surface_ = std::move(surface);
@@ -152,8 +158,9 @@ bool Attempts::interrupted() {
   if (interruption_ != Status::not_run) return true;
   if (stopped())
     interruption_ = control_.stop.stop_requested() ? Status::stopped : Status::time_limit;
-  else if (held_but_swings_ && !options_.energy)
-    interruption_ = Status::swings;  // the search begins anew with the data energy
+  else if ((held_but_swings_ || wild_ >= kMostWild) &&
+           !options_.energy)  // it begins anew with the data energy
+    interruption_ = held_but_swings_ ? Status::swings : Status::not_reached;
   else if (fits() >= max_fits_)
     interruption_ = Status::limit_reached;
   return interruption_ != Status::not_run;

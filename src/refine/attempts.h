@@ -72,7 +72,7 @@ class Attempts {
   InteriorKnots nearest_;         ///< of the least error at the points, whether the surface swings or not
   double nearest_error_ = std::numeric_limits<double>::infinity();
   Index best_size_ = 0;
-  int mends_ = 0;
+  int mends_ = 0, wild_ = 0;
   long mend_fits_ = 0;
   std::vector<SizeTried> tried_;
 };

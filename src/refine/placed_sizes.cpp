@@ -101,7 +101,8 @@ RefineResult search_placed(FitProblem& data, const RefineOptions& options, const
   fit.use_grid = true;
   FitProblem free(data.points(), options.degree_u, options.degree_v, fit);
   RefineResult result = search_with(free, plain, control);
-  if (!result.swings && result.status != Status::swings) return result;
+  const bool begun_anew = result.status == Status::swings || result.status == Status::not_reached;
+  if (!result.swings && !begun_anew) return result;
   if (control.stop.stop_requested() || out_of_time(control, start)) return result;
   RefineResult held = search_with(data, options, time_left(after(result, control), start));
   return better_of(std::move(held), std::move(result));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -11,22 +12,34 @@
 #include "knotfit/errors.h"
 #include "place/context.h"
 #include "refine/size_solver.h"
+#include "verify/swing_limits.h"
 #include "verify/swings.h"
 namespace knotfit {
 namespace {
 
-constexpr Index kSwingPlaces = 20000;  // a search asks of every net that would become the best
+constexpr double kHoldWork = 1e10;  // operations of a fit, about a second: larger nets are not held
 
-/// Where nothing holds: knots whose surfaces came nearest, held to the data by an energy for errors of their own size, may be nearer
-/// than the best that does not swing by itself.
-void hold(RefineResult& result, const ParameterizedPoints& points, const RefineOptions& options) {
+/// Where nothing holds: knots whose surfaces came nearest, held to the data by an energy for errors of their own size, may be
+/// nearer than the best that does not swing by itself.
+void hold(RefineResult& result, const ParameterizedPoints& points, const RefineOptions& options,
+          const Control& control) {
   LeastSquaresOptions fit = search_fits(options);
+  const auto start = std::chrono::steady_clock::now();
+  const auto cut = [&] {
+    const bool stopped = control.stop.stop_requested();
+    if (stopped || out_of_time(control, start))
+      result.status = stopped ? Status::stopped : Status::time_limit;
+    return result.status == Status::stopped || result.status == Status::time_limit;
+  };
   for (const InteriorKnots& knots : {result.nearest, result.knots}) {
     fit.energy = options.energy;
     FitProblem problem(points, options.degree_u, options.degree_v, fit);
-    if (!problem.solve(knots)) continue;
+    const double work = problem.work(static_cast<Index>(knots.u.size()) + options.degree_u + 1,
+                                     static_cast<Index>(knots.v.size()) + options.degree_v + 1);
+    if (work > kHoldWork || cut() || !problem.solve(knots)) continue;
     for (const double times : {1.0, 4.0}) {
-      fit.energy = make_data_energy(points, std::max(times * problem.rms(), energy_scale(options.tolerance)));
+      if (cut()) return;
+      fit.energy = own_energy(points, options.tolerance, times * problem.rms());
       FitProblem held(points, options.degree_u, options.degree_v, fit);
       result.fits += 1;
       if (!held.solve(knots)) continue;
@@ -44,6 +57,11 @@ void hold(RefineResult& result, const ParameterizedPoints& points, const RefineO
 }
 
 }  // namespace
+
+std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, const Tolerance& tolerance,
+                                             double error) {
+  return make_data_energy(points, std::max(error, energy_scale(tolerance)));
+}
 
 double energy_scale(const Tolerance& tolerance) {
   // A root mean square lets single errors be larger: three times it is what most of them stay below.
@@ -104,10 +122,11 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
   find_method(options.method);
   RefineOptions whole = options;
   if (!whole.energy) whole.energy = make_data_energy(points, energy_scale(options.tolerance));
-  if (!whole.sites) whole.sites = std::make_shared<verify::SwingSites>(points, kSwingPlaces);
+  if (!whole.sites) whole.sites = std::make_shared<verify::SwingSites>(points, verify::kSearchPlaces);
   LeastSquaresOptions fit = search_fits(whole);
   fit.use_grid = true;
   FitProblem problem(points, options.degree_u, options.degree_v, fit);
+  const auto start = std::chrono::steady_clock::now();
   RefineResult result;
   if (options.route == RefineRoute::insert)
     result = insert_isolines(problem, whole, control);
@@ -115,7 +134,7 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
     result = options.method == "optimal" ? search_optimal(problem, whole, control)
                                          : search_placed(problem, whole, control);
   if (result.method.empty()) result.method = options.method;
-  if (!result.holds && !result.surface.empty() && !control.stop.stop_requested()) hold(result, points, whole);
+  if (!result.holds && !result.surface.empty()) hold(result, points, whole, time_left(control, start));
   return result;
 }
 

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "base/median.h"
 #include "base/parallel.h"
@@ -34,6 +37,39 @@ double estimate_noise(const ParameterizedPoints& points, unsigned long long seed
   validate(points);
   const DistinctPoints distinct = distinct_points(points);
   return verify::find_noise(distinct, plain_neighbours(distinct), seed);
+}
+
+double estimate_noise(const CurvePoints& points) {
+  validate(points);
+  constexpr Index kLeast = 8;
+  constexpr double kNormal = 0.6745;  // median of |x| of a normal distribution of deviation 1
+  std::vector<Index> order(points.t.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return points.t[a] < points.t[b]; });
+  std::erase_if(order, [&, last = -1.0](Index k) mutable {  // the first of equal parameters
+    return std::exchange(last, points.t[k]) == points.t[k];
+  });
+  const Index n = static_cast<Index>(order.size());
+  if (n < kLeast) return 0;
+  std::vector<double> off;
+  for (Index k = 2; k + 2 < n; ++k) {
+    const Index near[] = {k - 2, k - 1, k + 1, k + 2};
+    double weight[4], squares = 1;
+    for (int i = 0; i < 4; ++i) {
+      weight[i] = 1;
+      for (int j = 0; j < 4; ++j)
+        if (j != i)
+          weight[i] *= (points.t[order[k]] - points.t[order[near[j]]]) /
+                       (points.t[order[near[i]]] - points.t[order[near[j]]]);
+      squares += weight[i] * weight[i];
+    }
+    for (int e = 0; e < points.dimension; ++e) {
+      double r = points.value(order[k])[e];
+      for (int i = 0; i < 4; ++i) r -= weight[i] * points.value(order[near[i]])[e];
+      off.push_back(std::abs(r) / std::sqrt(squares));
+    }
+  }
+  return median(std::move(off)) / kNormal;
 }
 
 }  // namespace knotfit

@@ -14,21 +14,14 @@
 #include "verify/gap_places.h"
 #include "verify/local_reference.h"
 #include "verify/random.h"
+#include "verify/swing_limits.h"
 namespace knotfit::verify {
 namespace {
 
-constexpr Index kBox = 16;      // nearest points whose box the surface may not leave
-constexpr Index kErrors = 8;    // of them, those whose errors it may make
-constexpr Index kRing = 8;      // neighbours that make triangles with a point
-constexpr double kSmall = 3;    // longest edge of a triangle, over the distance to the fourth neighbour
-constexpr double kCounted = 3;  // a ratio above it is a swing
-constexpr double kMost = 10;    // none may be above it
-constexpr double kShare = 1.0 / 2000;  // of the places may be above kCounted
-constexpr double kBeyondDiagonal =
-    0.02;  // the surface may leave the data's box by this share of its diagonal ...
-constexpr double kBeyondTolerance = 2;  // ... or so many tolerances
-// In gaps the data says less: a range about, and as much again the farther in [METHOD 5.2].
-constexpr double kGapRange = 0.2, kGapRatio = 2;
+constexpr Index kBox = 16;           // nearest points whose box the surface may not leave
+constexpr Index kErrors = 8;         // of them, those whose errors it may make
+constexpr Index kRing = 8;           // neighbours that make triangles with a point
+constexpr double kSmall = 3;         // longest edge of a triangle, over the distance to the fourth neighbour
 constexpr Index kMostExcused = 500;  // places
 constexpr Index kMostStrays = 5000;  // beyond the box: more is no matter of single places
 // The points about a gap: as many as it takes to see two in each quarter, at most so many times as far as the nearest.
@@ -192,7 +185,7 @@ void SwingSites::excuse(const Sites& sites, const std::vector<double>& at, const
                         double tolerance, std::vector<double>& ratio) const {
   std::vector<Index> far;
   for (Index i = 0; i < sites.size(); ++i)
-    if (ratio[i] > kCounted && std::isfinite(ratio[i])) far.push_back(i);
+    if (ratio[i] > kCountedSwing && std::isfinite(ratio[i])) far.push_back(i);
   if (static_cast<Index>(far.size()) > kMostExcused)
     return;  // a wave that is right is not far off at so many places
   const int d = distinct_.dimension;
@@ -203,9 +196,10 @@ void SwingSites::excuse(const Sites& sites, const std::vector<double>& at, const
         for (Index k = begin; k < end; ++k) {
           const Index i = far[k];
           const ReferenceValue reference = reference_value(gatherer, sites.uv[2 * i], sites.uv[2 * i + 1], 0);
-          if (!std::isfinite(reference.error_bar)) continue;
           const double local = sites.local(i, errors, tolerance);
-          if (distance({at.data() + i * d, static_cast<std::size_t>(d)}, reference.value) <= kCounted * local)
+          if (!(reference.error_bar <= local)) continue;  // at a cliff the reference overshoots, too
+          if (distance({at.data() + i * d, static_cast<std::size_t>(d)}, reference.value) <=
+              kCountedSwing * local)
             ratio[i] = 0;
         }
       },
@@ -226,7 +220,8 @@ void SwingSites::count(SwingReport& report, const Sites& sites, const Surface& s
         const double excess = std::max(low - x, x - high);
         // In a gap counted so that the ratio allowed there is the ratio allowed between near points.
         const double unit =
-            gap ? kGapRatio / kMost * (kCounted * local + sites.widening[i] * (high - low)) : local;
+            gap ? kGapRatio / kLargestSwing * (kCountedSwing * local + sites.widening[i] * (high - low))
+                : local;
         const double r = !std::isfinite(x)     ? INFINITY
                          : !(excess > 0)       ? 0
                          : std::isfinite(unit) ? excess / unit
@@ -239,8 +234,8 @@ void SwingSites::count(SwingReport& report, const Sites& sites, const Surface& s
   for (Index i = 0; i < sites.size(); ++i) {
     const bool gap = sites.widening[i] > 0;
     if (!gap) ++report.places;
-    if (!gap && ratio[i] > kCounted) ++report.above;
-    if (strays && ratio[i] > (gap ? kMost / 2 : kCounted)) {
+    if (!gap && ratio[i] > kCountedSwing) ++report.above;
+    if (strays && ratio[i] > (gap ? kLargestSwing / 2 : kCountedSwing)) {
       strays->uv.insert(strays->uv.end(), {sites.uv[2 * i], sites.uv[2 * i + 1]});
       for (int e = 0; e < d; ++e)
         strays->values.push_back(std::clamp(at[i * d + e], sites.low[i * d + e], sites.high[i * d + e]));
@@ -322,10 +317,11 @@ SwingReport SwingSites::measure(const Surface& surface, const std::vector<double
   const Index places = report.places, above = report.above;
   count(report, sites(cells), surface, of_distinct, tolerance, strays);
   report.places = places, report.above = above;  // the share is one of places that no knots chose
-  const double allowed = std::max(kBeyondDiagonal * diagonal_, kBeyondTolerance * tolerance);
+  const double allowed = std::max(kBoxShare * diagonal_, kBoxTolerances * tolerance);
   const bool beyond = measure_box(report, surface, allowed, strays);
-  report.swings = report.largest > kMost ||
-                  static_cast<double>(report.above) > kShare * static_cast<double>(report.places) || beyond;
+  report.swings = report.largest > kLargestSwing ||
+                  static_cast<double>(report.above) > kSwingShare * static_cast<double>(report.places) ||
+                  beyond;
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 import json
 import math
+import random
 import unittest
 import xml.dom.minidom
 
@@ -136,6 +137,36 @@ class FitCurve(ToolTest):
         table = self.run_tool("fit-curve", SAMPLES / "blade_profile.csv", "--closed", "--control-points", "20",
                               "--compare", "nktp,dominant").stdout
         self.assertEqual(len(table.splitlines()), 3)
+
+    def test_a_curve_is_kept_to_its_data(self):
+        # A step on uniform knots: least squares through the few points on it swing by diagonals.
+        t = [k / 299 for k in range(300)]
+        self.write("step.csv", "x,y\n" + "".join(f"{x},{(x > 0.5) + 0.01 * math.sin(20 * x)}\n" for x in t))
+        j = self.run_json("fit-curve", "step.csv", "--tol", "0.1%", "--knots", "uniform", "-o", "step.json",
+                          status=None)
+        self.assertFalse(j["status"] == "reached" and j["swings"]["largest"] > 10)
+        self.assertLess(j["swings"]["beyond_box"], 0.1)
+        self.assertEqual(set(j["swings"]), {"largest", "distance", "t", "in_gap", "places", "above_3", "beyond_box"})
+
+    def test_a_size_that_swings_says_so_first(self):
+        self.write("peak.csv", "x,y\n" + "".join(f"{k},{5 if k == 50 else 0}\n" for k in range(101)))
+        ask = ["fit-curve", "peak.csv", "--function", "--control-points", "20", "--tol", "0.1%"]
+        j = self.run_json(*ask, status=3)
+        self.assertEqual((j["status"], j["reached"]), ("swings", False))
+        self.assertGreater(j["swings"]["largest"], 10)
+        self.assertIn("between them the curve swings", j["message"])
+        text = self.run_tool(*ask, status=3).stdout
+        self.assertTrue(text.startswith("the curve swings between the points: at x = "), text)
+        self.assertIn("NOT reached (held at the points; the curve swings between them)", text)
+
+    def test_noise_is_not_followed(self):
+        rng = random.Random(3)
+        self.write("noisy.csv", "x,y\n" + "".join(
+            f"{k / 400},{math.sin(9 * k / 400) + rng.gauss(0, 0.02)}\n" for k in range(401)))
+        j = self.run_json("fit-curve", "noisy.csv", "--function", "--tol", "0.1%", status=3)
+        self.assertEqual(j["status"], "tolerance_below_noise")
+        self.assertAlmostEqual(j["noise"], 0.02, delta=0.004)
+        self.assertIn("more control points would only follow the noise", j["message"])
 
     def test_statuses(self):
         self.graph()

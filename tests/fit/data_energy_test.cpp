@@ -34,7 +34,7 @@ ParameterizedPoints uneven_points(Index n, unsigned seed) {
 // Cells of few raster cells are added up, larger ones come from summed tables: both are the same integral.
 TEST(DataEnergy, IntegralsAreAdditive) {
   const ParameterizedPoints points = uneven_points(3000, 5);
-  const DataEnergy energy(points, 0.01);
+  const DataEnergy energy(data_raster(points, 0.01));
   const Integrals whole(energy, 0.1, 0.9, 0.2, 0.7);
   for (int parts : {2, 50}) {
     std::vector<double> sum(DataEnergy::kKinds, 0.0), mean(DataEnergy::kKinds * points.dimension, 0.0);
@@ -65,12 +65,12 @@ TEST(DataEnergy, GoalsAreTheDerivativesOfTheData) {
       points.uv.insert(points.uv.end(), {i / 63.0, j / 63.0});
       points.values.push_back(2 * i / 63.0 - 3 * j / 63.0);
     }
-  const DataEnergy energy(points, 0.1);
+  const DataEnergy energy(data_raster(points, 0.1));
   const Integrals cell(energy, 0.4, 0.6, 0.3, 0.5);
-  EXPECT_NEAR(cell.goal[DataEnergy::kU], 2 * cell.weight[DataEnergy::kU], 1e-2 * cell.weight[DataEnergy::kU]);
-  EXPECT_NEAR(cell.goal[DataEnergy::kV], -3 * cell.weight[DataEnergy::kV],
-              1e-2 * cell.weight[DataEnergy::kV]);
-  for (int kind : {DataEnergy::kUu, DataEnergy::kUv, DataEnergy::kVv})
+  EXPECT_NEAR(cell.goal[DataRaster::kU], 2 * cell.weight[DataRaster::kU], 1e-2 * cell.weight[DataRaster::kU]);
+  EXPECT_NEAR(cell.goal[DataRaster::kV], -3 * cell.weight[DataRaster::kV],
+              1e-2 * cell.weight[DataRaster::kV]);
+  for (int kind : {DataRaster::kUu, DataRaster::kUv, DataRaster::kVv})
     EXPECT_NEAR(cell.goal[kind], 0, 1e-6 * cell.weight[kind]);
 }
 
@@ -82,9 +82,9 @@ TEST(DataEnergy, HolesAreHeldMore) {
     holed.uv.insert(holed.uv.end(), {full.u(k), full.v(k)});
     holed.values.push_back(full.values[k]);
   }
-  const Integrals with(DataEnergy(holed, 0.01), 0.45, 0.55, 0.45, 0.55),
-      without(DataEnergy(full, 0.01), 0.45, 0.55, 0.45, 0.55);
-  for (int kind : {DataEnergy::kUu, DataEnergy::kVv, DataEnergy::kU, DataEnergy::kV})
+  const Integrals with(DataEnergy(data_raster(holed, 0.01)), 0.45, 0.55, 0.45, 0.55),
+      without(DataEnergy(data_raster(full, 0.01)), 0.45, 0.55, 0.45, 0.55);
+  for (int kind : {DataRaster::kUu, DataRaster::kVv, DataRaster::kU, DataRaster::kV})
     EXPECT_GT(with.weight[kind], without.weight[kind]);
   for (double g : with.goal) EXPECT_NEAR(g, 0, 1e-12);  // but for the rounding of the sums
 }

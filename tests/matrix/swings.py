@@ -12,7 +12,8 @@ least spacing at their corners, the distance to the 4th nearest place. (The corn
 swings: at the border of dense data they may not be among the 16.)
 
 A curve has one parameter: places lie in gaps at most 3 times the distance to the 2nd nearest, the box is that of
-the 4 nearest points and the ends of the gap, L looks at the 2 nearest.
+the 4 nearest points and the ends of the gap, L looks at the 2 nearest, and up to 5 % of the range of these points is
+free: a curve through a single peak goes on a little.
 """
 
 from dataclasses import dataclass
@@ -21,7 +22,7 @@ import numpy as np
 from scipy.spatial import Delaunay, QhullError, cKDTree
 
 NEAR_BOX, NEAR_ERROR, SPACING, SMALL = 16, 8, 4, 3.0
-NEAR_BOX_CURVE, NEAR_ERROR_CURVE, SPACING_CURVE = 4, 2, 2
+NEAR_BOX_CURVE, NEAR_ERROR_CURVE, SPACING_CURVE, FREE_CURVE = 4, 2, 2, 0.05
 PLACES, LEAST_PER_TRIANGLE, MOST_PER_TRIANGLE = 200_000, 4, 50
 SEED = 20
 ROUNDING = 2.0 ** -40  # of the data's largest number: what counts as no error at all
@@ -87,8 +88,9 @@ def random_places(uv, corners, rng):
     return places, np.repeat(corners, each, axis=0)
 
 
-def summarize(tree, places, corners, at_places, data, floor, near_box, near_error):
-    """The measure at `places` between `corners`, where the surface is `at_places`; `data` as of distinct()."""
+def summarize(tree, places, corners, at_places, data, floor, near_box, near_error, free=0.0):
+    """The measure at `places` between `corners`, where the surface is `at_places`; `data` as of distinct(); `free` of
+    the range of the box does not count."""
     if len(places) == 0:
         return Swings()
     _, low, high, worst = data
@@ -98,9 +100,10 @@ def summarize(tree, places, corners, at_places, data, floor, near_box, near_erro
         part = slice(begin, begin + 20_000)
         near = nearest(tree, places[part], near_box)[1]
         boxed = np.concatenate([near, corners[part]], axis=1)
-        below = low[boxed].min(axis=1) - at_places[part]
-        above = at_places[part] - high[boxed].max(axis=1)
-        excess = np.maximum(np.maximum(below, above).max(axis=1), 0)
+        floor_of, top = low[boxed].min(axis=1), high[boxed].max(axis=1)
+        beyond = np.maximum(floor_of - at_places[part], at_places[part] - top)
+        excess = np.where(beyond > free * (top - floor_of), beyond, 0).max(axis=1)
+        excess = np.maximum(excess, 0)
         largest_excess = max(largest_excess, float(excess.max()))
         length = np.maximum(worst[near[:, :near_error]].max(axis=1), floor)
         swing[part] = excess / np.maximum(length, ROUNDING * scale + 1e-300)
@@ -130,4 +133,5 @@ def of_curve(curve, t, values, errors, floor):
     places = (at[gaps, None] + rng.random((len(gaps), each)) * (at[gaps + 1] - at[gaps])[:, None]).reshape(-1, 1)
     values_there = curve(places[:, 0]) if len(places) else np.empty((0, values.shape[1]))
     ends = np.repeat(np.stack([gaps, gaps + 1], axis=1), each, axis=0)
-    return summarize(tree, places, ends, values_there, data, floor, NEAR_BOX_CURVE, NEAR_ERROR_CURVE)
+    return summarize(tree, places, ends, values_there, data, floor, NEAR_BOX_CURVE, NEAR_ERROR_CURVE,
+                     FREE_CURVE)

@@ -23,6 +23,36 @@ CurvePoints planar(int n) {
   return points;
 }
 
+// The strip's energy on the strip is the curve's on the curve.
+TEST(Strip, HasTheEnergyOfTheCurve) {
+  for (int dimension : {1, 2}) {
+    CurvePoints points = planar(150);
+    points.dimension = dimension;
+    if (dimension == 1) {
+      points.values.clear();
+      for (double t : points.t) points.values.push_back(std::tanh(40 * (t - 0.3)));
+    }
+    for (int k = 0; k < points.size(); ++k) points.weights.push_back(1 + 0.5 * std::sin(k));
+    const auto energy = std::make_shared<const DataEnergy>(strip_raster(points, 0.02));
+    const std::vector<double> knots{0.1, 0.28, 0.31, 0.32, 0.33, 0.5};
+    CurveProblem curve(points, 3, 1e-12, energy);
+    ASSERT_TRUE(curve.solve(knots));
+    LeastSquaresOptions options;
+    options.smoothing = 1e-12;
+    options.use_grid = false;
+    options.energy = energy;
+    const ParameterizedPoints strip = strip_of(points);
+    FitProblem problem(strip, 3, 1, options);
+    ASSERT_TRUE(problem.solve({knots, {}}));
+    const Surface surface = problem.surface();
+    for (Index i = 0; i < surface.size_u(); ++i)
+      for (int e = 0; e < dimension; ++e) {
+        EXPECT_NEAR(surface.control_point(i, 0)[e], curve.curve().control_points()[i * dimension + e], 1e-7);
+        EXPECT_NEAR(surface.control_point(i, 1)[e], curve.curve().control_points()[i * dimension + e], 1e-7);
+      }
+  }
+}
+
 TEST(Strip, HasTheErrorsOfTheCurve) {
   for (int dimension : {1, 2}) {
     CurvePoints points = planar(150);

@@ -1,0 +1,182 @@
+#include "pipeline/curve_fitter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "correct/curve_feet.h"
+#include "knotfit/evaluate.h"
+#include "knotfit/refine.h"
+#include "place/periodic.h"
+#include "place/shares.h"
+#include "place/strip.h"
+#include "spline/clamped.h"
+namespace knotfit {
+namespace {
+
+/// Clamped over [0,1], from one period over its own.
+Curve finished(const Curve& curve, bool closed) {
+  const double first = curve.knots().first();
+  std::vector<double> knots = curve.knots().knots();
+  for (double& t : knots) t -= first;
+  std::vector<double> net;
+  const int d = curve.dimension();
+  for (Index i = 0; i < curve.size(); ++i)
+    for (int copy = 0; copy < 2; ++copy)
+      net.insert(net.end(), curve.control_points().begin() + i * d,
+                 curve.control_points().begin() + (i + 1) * d);
+  const Surface strip =
+      clamped(Surface(KnotVector(curve.degree(), knots), KnotVector::uniform(1, 0), d, net));
+  std::vector<double> row;
+  for (Index i = 0; i < strip.size_u(); ++i) {
+    const auto c = strip.control_point(i, 0);
+    row.insert(row.end(), c.begin(), c.end());
+  }
+  if (closed) std::copy_n(row.begin(), d, row.end() - d);  // to the last bit
+  // The period's end is 1 up to rounding.
+  std::vector<double> clean = strip.knots_u().knots();
+  for (double& t : clean)
+    if (t == strip.knots_u().last()) t = 1;
+  return Curve(KnotVector(curve.degree(), std::move(clean)), d, std::move(row));
+}
+
+std::vector<double> errors_of(const Curve& curve, const CurvePoints& points, const std::vector<double>& t) {
+  const std::vector<double> at = evaluate(curve, t);
+  const int d = points.dimension;
+  std::vector<double> errors(t.size(), 0.0);
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    for (int e = 0; e < d; ++e) errors[k] = std::hypot(errors[k], at[k * d + e] - points.values[k * d + e]);
+  }
+  return errors;
+}
+
+void keep_better(FittedCurve& best, FittedCurve other) {
+  if (other.error < best.error) best = std::move(other);
+}
+
+}  // namespace
+
+FittedCurve CurveFitter::size(Index control_points) {
+  FittedCurve plain = with_energy(control_points, nullptr);
+  judge(plain);
+  if (!plain.swings.swings || !(plain.error <= measure_.value)) return plain;
+  return held(
+      std::move(plain), [&](const Energy& energy) { return with_energy(control_points, energy); }, 0);
+}
+
+FittedCurve CurveFitter::fixed_size(Index control_points) {
+  FittedCurve plain = with_energy(control_points, nullptr);
+  judge(plain);
+  const double rms = plain.rms;
+  return held(
+      std::move(plain), [&](const Energy& energy) { return with_energy(control_points, energy); }, rms);
+}
+
+FittedCurve CurveFitter::given(const std::vector<double>& knots) {
+  FittedCurve plain = with_energy(knots, nullptr);
+  judge(plain);
+  const double rms = plain.rms;
+  return held(
+      std::move(plain), [&](const Energy& energy) { return with_energy(knots, energy); }, rms);
+}
+
+/// The plain curve or, where it swings, one held to the data by an energy for errors of this size or the tolerance's.
+template <class Fit>
+FittedCurve CurveFitter::held(FittedCurve plain, const Fit& fit, double scale) {
+  scale = std::max(scale, energy_scale(measure_));
+  if (!plain.swings.swings || stopped() || !(scale > 0)) return plain;
+  FittedCurve held = fit(std::make_shared<const DataEnergy>(strip_raster(points_, scale)));
+  judge(held);
+  if (held.empty() || (held.swings.swings && !(held.swings.largest < plain.swings.largest))) return plain;
+  held.swing_before = plain.swings.largest;
+  return held;
+}
+
+FittedCurve CurveFitter::with_energy(Index control_points, const Energy& energy) {
+  CurveProblem problem(points_, options_.degree, options_.smoothing, energy);
+  std::vector<double> knots = place(problem, control_points, energy);
+  FittedCurve best = take(problem, knots);
+  if (options_.corrections > 0 && correct(problem, knots)) {
+    keep_better(best, take(problem, knots));
+    knots = place(problem, control_points, energy);  // for the parameters as they are now
+    correct(problem, knots);
+    keep_better(best, take(problem, knots));
+  }
+  fits_ += problem.fits();
+  return best;
+}
+
+FittedCurve CurveFitter::with_energy(const std::vector<double>& knots, const Energy& energy) {
+  CurveProblem problem(points_, options_.degree, options_.smoothing, energy);
+  FittedCurve best = take(problem, knots);
+  if (options_.corrections > 0 && correct(problem, knots)) keep_better(best, take(problem, knots));
+  fits_ += problem.fits();
+  return best;
+}
+
+std::vector<double> CurveFitter::place(CurveProblem& problem, Index control_points, const Energy& energy) {
+  PlacementOptions place;
+  place.degree_u = options_.degree;
+  // A period has as many knots as control points, the seam one of them.
+  place.interior_u =
+      static_cast<int>(points_.closed ? control_points - 1 : control_points - options_.degree - 1);
+  place.smoothing = options_.smoothing;
+  place.energy = energy;
+  place.feature = options_.feature;
+  place.user_features = options_.user_features;
+  place.evaluations = options_.evaluations;
+  const Placement placed = place_curve_knots(options_.method, problem.points(), place, control_);
+  fits_ += placed.fits;
+  for (const std::string& note : placed.notes)
+    if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+  std::vector<double> knots = placed.knots.u;
+  if (!points_.closed) return knots;
+  knots.insert(knots.begin(), 0.0);
+  if (options_.method == "optimal") optimize_period(problem, knots, [&] { return stopped(); });
+  return knots;
+}
+
+FittedCurve CurveFitter::take(CurveProblem& problem, const std::vector<double>& knots) {
+  FittedCurve fitted;
+  if (!problem.solve(knots)) return fitted;
+  const Curve& curve = problem.curve();
+  fitted.control_points = points_.closed ? static_cast<Index>(knots.size()) : curve.size();
+  fitted.error = problem.measured(measure_);
+  fitted.rms = problem.measured({.value = 0, .measure = ErrorMeasure::rms});
+  const double first = curve.knots().first();
+  for (double t : problem.points().t) fitted.t.push_back(std::clamp(problem.on_curve(t) - first, 0.0, 1.0));
+  fitted.curve = finished(curve, points_.closed);
+  return fitted;
+}
+
+/// Rounds of feet and fits at these knots. \return whether any parameter moved
+bool CurveFitter::correct(CurveProblem& problem, const std::vector<double>& knots) {
+  bool moved = false;
+  CurvePoints& points = problem.points();
+  for (int round = 0; round < options_.corrections && !stopped(); ++round) {
+    if (!problem.solve(knots)) break;
+    const double before = problem.phi();
+    std::vector<double> feet;
+    for (double t : points.t) feet.push_back(problem.on_curve(t));
+    correction::curve_feet(problem.curve(), points.closed, points.values, feet);
+    for (Index k = 0; k < points.size(); ++k) {
+      const double t = points.closed ? feet[k] - std::floor(feet[k]) : feet[k];
+      moved |= t != points.t[k];
+      points.t[k] = t;
+    }
+    if (!problem.solve(knots) || !(problem.phi() < before * (1 - 1e-4))) break;
+  }
+  return moved;
+}
+
+void CurveFitter::judge(FittedCurve& fitted) const {
+  if (fitted.empty()) return;
+  CurvePoints points = points_;
+  points.t = fitted.t;
+  if (points.closed)
+    for (double& t : points.t) t -= std::floor(t);  // the period's end is its start
+  const std::vector<double> errors = errors_of(fitted.curve, points_, fitted.t);
+  const double unit = measure_.value > 0 ? measure_.value : fitted.rms;
+  if (unit > 0) fitted.swings = measure_swings(fitted.curve, points, errors, unit);
+}
+
+}  // namespace knotfit

@@ -1,0 +1,65 @@
+// A curve of one size, or of given knots: placed, fitted, its parameters corrected, and held to its data where it swings.
+#pragma once
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/curve_problem.h"
+#include "knotfit/fit_curve.h"
+namespace knotfit {
+
+struct FittedCurve {
+  Index control_points = 0;                                ///< free ones
+  double error = std::numeric_limits<double>::infinity();  ///< that counts, in the frame
+  double rms = 0;                                          ///< in the frame
+  std::vector<double> t;                                   ///< n, on the curve
+  Curve curve;                                             ///< clamped, over [0,1]
+  SwingReport swings;
+  double swing_before =
+      0;  ///< of the least squares of its knots, where the data energy holds the curve; else 0
+  bool empty() const { return t.empty(); }
+};
+
+class CurveFitter {
+ public:
+  /// \param points   in a frame; they and the others outlive the fitter
+  /// \param measure  the tolerance in the frame, 0: none
+  CurveFitter(const CurvePoints& points, const CurveFitOptions& options, const Tolerance& measure,
+              const Control& control)
+      : points_(points), options_(options), measure_(measure), control_(control) {}
+
+  Index least() const { return options_.degree + 1; }
+  long fits() const { return fits_; }
+  const std::vector<std::string>& notes() const { return notes_; }
+
+  /// Of a search: least squares alone; where they hold the tolerance and swing, again with the data energy.
+  FittedCurve size(Index control_points);
+  /// A size or knots of the user's: again with the data energy wherever the least squares swing.
+  FittedCurve fixed_size(Index control_points);
+  FittedCurve given(const std::vector<double>& knots);
+  bool holds(const FittedCurve& fitted) const {
+    return fitted.error <= measure_.value && !fitted.swings.swings;
+  }
+
+ private:
+  using Energy = std::shared_ptr<const DataEnergy>;
+  bool stopped() const { return control_.stop.stop_requested(); }
+  template <class Fit>
+  FittedCurve held(FittedCurve plain, const Fit& fit, double scale);
+  FittedCurve with_energy(Index control_points, const Energy& energy);
+  FittedCurve with_energy(const std::vector<double>& knots, const Energy& energy);
+  std::vector<double> place(CurveProblem& problem, Index control_points, const Energy& energy);
+  FittedCurve take(CurveProblem& problem, const std::vector<double>& knots);
+  bool correct(CurveProblem& problem, const std::vector<double>& knots);
+  void judge(FittedCurve& fitted) const;
+
+  const CurvePoints& points_;
+  const CurveFitOptions& options_;
+  Tolerance measure_;
+  const Control& control_;
+  long fits_ = 0;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace knotfit
