@@ -12,6 +12,7 @@
 #include "pipeline/curve_notes.h"
 #include "pipeline/frame.h"
 #include "pipeline/requirements.h"
+#include "pipeline/verdict.h"
 #include "refine/attempts.h"
 namespace knotfit {
 namespace {
@@ -248,10 +249,7 @@ CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& optio
                                                           : Status::not_reached;
   result.message = message_of(result);
   if (best.swing_before > 0)
-    result.notes.push_back(
-        fmt::format("the least squares of these knots swing between the points (by {:.3g} times the errors "
-                    "there): an energy that follows the data's own spacing holds the curve",
-                    best.swing_before));
+    result.notes.push_back(held_note(best.swing_before, result.swings.largest, "curve"));
   const std::vector<std::string> of_curve = curve_notes(result, points);
   result.notes.insert(result.notes.begin(), of_curve.begin(), of_curve.end());
   return result;

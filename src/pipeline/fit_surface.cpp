@@ -196,11 +196,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
     auto held = std::make_unique<Fitted>(inside, options, tolerance, 0.0, keeping, time_left(control, start));
     held->chosen.fits += fitted->chosen.fits + fitted->problem->fits();
     if (held->solved && held->swings.largest < fitted->swings.largest) {
-      held->chosen.notes.push_back(
-          fmt::format("the least squares of these knots swing between the points (by {:.3g} times the errors "
-                      "there): an energy that "
-                      "follows the data's own spacing holds the surface",
-                      fitted->swings.largest));
+      held->chosen.notes.push_back(held_note(fitted->swings.largest, held->swings.largest, "surface"));
       fitted.swap(held);
     }
   }

@@ -61,6 +61,14 @@ void judge_all_points(FitResult& result, const std::vector<double>& errors) {
   result.message = message_of(result, static_cast<Index>(result.errors.size()));
 }
 
+std::string held_note(double before, double left, std::string_view what) {
+  return fmt::format(
+      "the least squares of these knots swing between the points (by {:.3g} times the errors there): an "
+      "energy "
+      "that follows the data's own spacing {} the {}",
+      before, left <= verify::kLargestSwing ? "holds" : "lessens the swings of", what);
+}
+
 void note_swings(FitResult& result) {
   const SwingReport& s = result.swings;
   if (!s.swings) return;

@@ -222,13 +222,36 @@ TEST(FitCurve, SaysWhereDataIsTooSparse) {
   CurveFitOptions options;
   options.tolerance = {.value = 1e-9};
   options.method = "uniform";
-  Uniform random(3);
-  CurvePoints noise = function_points(40, [&](double) { return random(); });
-  EXPECT_EQ(fit_curve(noise, options).status, Status::data_too_sparse);
+  const CurvePoints wave = function_points(40, [](double t) { return std::sin(25 * t); });
+  EXPECT_EQ(fit_curve(wave, options).status, Status::data_too_sparse);
   options.max_control_points = 8;
-  const CurveFitResult limited = fit_curve(noise, options);
+  const CurveFitResult limited = fit_curve(wave, options);
   EXPECT_EQ(limited.status, Status::limit_reached);
   EXPECT_LE(limited.control_points, 8);
+}
+
+TEST(FitCurve, SaysWhereOnlyNoiseIsLeft) {
+  CurveFitOptions options;
+  options.tolerance = {.value = 1e-4};
+  Uniform random(3);
+  const CurvePoints noisy =
+      function_points(400, [&](double t) { return std::sin(5 * t) + 0.1 * (random() + random() - 1); });
+  const CurveFitResult r = fit_curve(noisy, options);
+  EXPECT_EQ(r.status, Status::tolerance_below_noise);
+  EXPECT_NEAR(r.noise, 0.1 * std::sqrt(1.0 / 6), 0.01);  // the deviation of a sum of two uniform numbers
+  EXPECT_LT(r.control_points, 40);
+  EXPECT_NE(r.message.find("below the noise of the data"), std::string::npos);
+}
+
+TEST(FitCurve, KeepsToItsData) {
+  CurveFitOptions options;
+  options.tolerance = {.value = 1e-3};
+  options.method = "uniform";
+  const CurvePoints step = function_points(300, [](double t) { return (t > 0.5) + 0.01 * std::sin(20 * t); });
+  const CurveFitResult r = fit_curve(step, options);
+  EXPECT_TRUE(r.swings.measured);
+  EXPECT_LT(r.swings.beyond_box, 0.2);  // it was 160 times the range
+  EXPECT_EQ(r.reached, r.measured <= r.tolerance && !r.swings.swings);
 }
 
 TEST(FitCurve, RefusesWhatItCannotFit) {

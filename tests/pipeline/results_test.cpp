@@ -221,7 +221,8 @@ TEST(Results, NoteCellsWithoutPoints) {
   options.method = "uniform";
   const FitResult r = fit_surface(points, options);
   EXPECT_EQ(r.empty_cells, 18);
-  EXPECT_TRUE(any_note(r, "18 knot cells hold no point: the smoothing floor shapes the surface there"));
+  EXPECT_FALSE(r.least_squares);  // these swing in the empty half
+  EXPECT_TRUE(any_note(r, "18 knot cells hold no point: the energy that holds it to the data shapes"));
 }
 
 TEST(Results, DoNotDependOnTheThreads) {
