@@ -8,6 +8,7 @@
 #include <ostream>
 #include <utility>
 
+#include "formats/missing.h"
 #include "formats/nodata.h"
 #include "formats/number.h"
 #include "formats/readers.h"
@@ -23,15 +24,6 @@ enum Key { ncols, nrows, xllcorner, xllcenter, yllcorner, yllcenter, cellsize, d
 constexpr std::array<std::string_view, kKeys> kNames = {"ncols",     "nrows",       "xllcorner", "xllcenter",
                                                         "yllcorner", "yllcenter",   "cellsize",  "dx",
                                                         "dy",        "nodata_value"};
-
-/// What writers leave where there is no height. Nothing else is meant by them, whatever the header's nodata value is.
-bool is_missing_word(std::string_view word) {
-  constexpr std::string_view kMissing[] = {
-      "null", "na", "n/a", "#n/a", "none", "nil", "nodata",  "no_data",  "no-data", "missing", "void",  "nd",
-      "*",    "-",  "--",  "---",  "?",    ".",   "1.#qnan", "-1.#qnan", "1.#ind",  "-1.#ind", "1.#nan"};
-  const std::string lower = lower_case(word);
-  return std::find(std::begin(kMissing), std::end(kMissing), lower) != std::end(kMissing);
-}
 
 int key_of(std::string_view word) {
   const std::string lower = lower_case(word);
@@ -101,7 +93,7 @@ class Header {
     check();
   }
 
-  /// A height that is not there: a usual word for it, or the header's own.
+  /// A height that is not there, whatever the header's nodata value is: a usual word for it, or the header's own.
   bool is_hole_word(std::string_view word) const {
     return is_missing_word(word) || (!hole_word_.empty() && lower_case(word) == hole_word_);
   }

@@ -48,8 +48,9 @@ TEST(EsriAscii, HolesAreTheNodataValueOrNan) {
 
 TEST(EsriAscii, HolesMayBeWords) {
   const std::string no_key = kHeader.substr(0, kHeader.find("NODATA"));
-  for (const char* word : {"null", "NULL", "nan", "NaN", "NA", "n/a", "#N/A", "none", "NoData", "no_data",
-                           "missing", "void", "*", "-", "?", "1.#QNAN", "-1.#IND"}) {
+  for (const char* word : {"null",    "NULL",    "nan",     "NaN",  "NA", "n/a",   "#N/A", "none",
+                           "NoData",  "no_data", "missing", "void", "*",  "-",     "?",    "1.#QNAN",
+                           "-1.#IND", "<NA>",    "\"NA\"",  "nil",  "nd", "1.#NAN"}) {
     SCOPED_TRACE(word);
     const std::string cells = std::string(word) + " 2 3\n4 " + word + " " + word + "\n";
     const std::vector<double> wanted = {kNan, 2, 3, 4, kNan, kNan};
