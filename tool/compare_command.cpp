@@ -8,6 +8,7 @@
 #include "knotfit/threads.h"
 #include "options_json.h"
 #include "outputs.h"
+#include "reading.h"
 #include "signals.h"
 #include "terminal_progress.h"
 #include "text_values.h"
@@ -69,8 +70,8 @@ int run_compare(const CompareArguments& arguments) {
   if (arguments.json)
     print(json);
   else if (!arguments.quiet)
-    print(compare_table(rows) + notes_to_text(input.summary.reading) +
-          (folder ? "wrote " + arguments.folder + "\n" : ""));
+    print(compare_table(rows) + columns_to_text(input.summary.reading) +
+          notes_to_text(input.summary.reading) + (folder ? "wrote " + arguments.folder + "\n" : ""));
   if (stopped) {
     std::fprintf(stderr, "knotfit: stopped after %zu rows; they are kept\n", rows.size());
     return kStopped;

@@ -23,6 +23,12 @@ Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
+void add_columns(Json& j, const Reading& reading) {
+  if (reading.columns.empty()) return;
+  j["columns"] = reading.columns;
+  j["columns_from"] = reading.from;
+}
+
 Json swings_of(const SwingReport& s) {
   if (!s.measured) return nullptr;
   return {{"largest", number(s.largest)},
@@ -130,10 +136,7 @@ std::string curve_to_json(const CurveReport& r) {
     tried.push_back({{"control_points", t.control_points}, {"error", number(t.error)}, {"holds", t.holds}});
   j["tried"] = tried;
   j["input"] = r.arguments.input;
-  if (!r.reading.columns.empty()) {
-    j["columns"] = r.reading.columns;
-    j["columns_from"] = r.reading.from;
-  }
+  add_columns(j, r.reading);
   j["seconds"] = number(r.seconds);
   j["outputs"] = r.outputs;
   j["version"] = version();
@@ -230,7 +233,7 @@ std::string curve_table(const std::vector<CurveRow>& rows) {
 }
 
 std::string curve_rows_json(const std::vector<CurveRow>& rows, const CurveArguments& arguments,
-                            bool stopped) {
+                            const Reading& reading, bool stopped) {
   Json list = Json::array();
   for (const CurveRow& row : rows) {
     const CurveFitResult& f = row.result;
@@ -250,8 +253,13 @@ std::string curve_rows_json(const std::vector<CurveRow>& rows, const CurveArgume
     j["seconds"] = number(row.seconds);
     list.push_back(j);
   }
-  return Json{{"input", arguments.input}, {"stopped", stopped}, {"rows", list}, {"version", version()}}
-      .dump();
+  Json j = {{"input", arguments.input},
+            {"stopped", stopped},
+            {"rows", list},
+            {"notes", reading.notes},
+            {"version", version()}};
+  add_columns(j, reading);
+  return j.dump();
 }
 
 }  // namespace knotfit::tool

@@ -36,6 +36,7 @@ struct CurveRow {
   double seconds = 0;
 };
 std::string curve_table(const std::vector<CurveRow>& rows);
-std::string curve_rows_json(const std::vector<CurveRow>& rows, const CurveArguments& arguments, bool stopped);
+std::string curve_rows_json(const std::vector<CurveRow>& rows, const CurveArguments& arguments,
+                            const Reading& reading, bool stopped);
 
 }  // namespace knotfit::tool

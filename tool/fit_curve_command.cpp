@@ -66,7 +66,7 @@ CurvePoints read_points(const CurveArguments& arguments, Reading& reading) {
 
 /// Method by method, each a row; Ctrl-C keeps those that ended.
 int compare(const CurveArguments& arguments, const CurvePoints& points, const CurveFitOptions& options,
-            const Control& control, TerminalProgress& terminal) {
+            const Reading& reading, const Control& control, TerminalProgress& terminal) {
   CompareOptions named;
   named.fit.user_features = options.user_features;
   named.methods = arguments.compare;
@@ -94,9 +94,9 @@ int compare(const CurveArguments& arguments, const CurvePoints& points, const Cu
   terminal.clear();
   const bool stopped = control.stop.stop_requested();
   if (arguments.json)
-    print(curve_rows_json(rows, arguments, stopped) + "\n");
+    print(curve_rows_json(rows, arguments, reading, stopped) + "\n");
   else if (!arguments.quiet)
-    print(curve_table(rows));
+    print(curve_table(rows) + columns_to_text(reading) + notes_to_text(reading));
   return stopped ? kStopped : kReached;
 }
 
@@ -120,7 +120,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   CurveFitOptions options = curve_options(arguments);
   if (arguments.choices.feature_file)
     options.user_features = read_curve_feature_file(*arguments.choices.feature_file, points);
-  if (!arguments.compare.empty()) return compare(arguments, points, options, control, terminal);
+  if (!arguments.compare.empty()) return compare(arguments, points, options, reading, control, terminal);
 
   CurveFitResult result;
   try {

@@ -54,8 +54,8 @@ struct SourceData {
   std::string format;  ///< "esri-ascii", "csv", "npy", "rows", "ply", "obj", "off", "stl", "las", "pcd"
   std::variant<Raster, PointTable, PointRows, Mesh> content;
   std::vector<std::string> notes = {};  ///< what a file says beside that, a sentence each: classes of points
-  /// What each column of a text or an array was taken for: "x", "intensity"; "-": unknown and left out. Empty: the
-  /// format says it.
+  /// What each column of points was taken for: "x", "intensity"; "-": unknown and left out. Empty: the content is no
+  /// points, or holds x, y, z alone by its format.
   std::vector<std::string> columns = {};
   std::string columns_from = {};  ///< what told it: "option", "header", "guess"
   Index left_out = 0;             ///< points that miss a value (ReadOptions::nodata)

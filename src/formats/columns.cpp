@@ -62,6 +62,12 @@ std::string_view attribute_of(std::string_view name) {
   return {};
 }
 
+std::string told_name(Role role, std::string_view name) {
+  if (role != Role::skip) return std::string(role_name(role));
+  const std::string_view attribute = attribute_of(name);
+  return std::string(attribute.empty() ? "-" : attribute);
+}
+
 Columns columns_of_header(std::span<const std::string_view> names) {
   const auto has = [&](std::string_view wanted) {
     return std::any_of(names.begin(), names.end(),
@@ -73,9 +79,8 @@ Columns columns_of_header(std::span<const std::string_view> names) {
     Role role = role_of(name);
     if (lower == "t" && (has("v") || !(has("s") || has("u")))) role = Role::skip;
     if (lower == "s" && !has("t") && !has("v")) role = Role::skip;
-    const std::string_view attribute = lower == "s" ? "s" : attribute_of(name);
     columns.roles.push_back(role);
-    columns.told.emplace_back(role != Role::skip ? role_name(role) : attribute.empty() ? "-" : attribute);
+    columns.told.push_back(role == Role::skip && lower == "s" ? "s" : told_name(role, name));
   }
   return columns;
 }

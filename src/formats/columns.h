@@ -39,6 +39,9 @@ Columns columns_of_option(std::span<const std::string> names, bool places = fals
 /// What a name that no role has stands for, and is left out: "r", "intensity", "time". Empty: an unknown name.
 std::string_view attribute_of(std::string_view name);
 
+/// What a column is called in reports: its role, else what attribute_of() its name says, "-" where that is nothing.
+std::string told_name(Role role, std::string_view name);
+
 /// Why these columns make no points, or empty where they do: z is needed, x and y go together,
 /// u and v too, x,y or u,v must be there, and none twice.
 /// \param places  points without z will do

@@ -141,6 +141,15 @@ std::string_view name_of_class(int of_class) {
   return of_class < 10 ? names[of_class] : std::string_view();
 }
 
+/// What a point of a format holds: all but its place is left out, once classes and returns have chosen.
+std::vector<std::string> columns_of(int format) {
+  std::vector<std::string> columns = {"x", "y", "z", "intensity", "return", "class"};
+  if (format == 1 || format >= 3) columns.emplace_back("time");
+  if (format == 2 || format == 3 || format == 5 || format == 7 || format == 8 || format == 10)
+    columns.insert(columns.end(), {"r", "g", "b"});
+  return columns;
+}
+
 /// `value` where rounding of the file's whole numbers alone parts it from the nodata value.
 double stored_value(double value, double nodata, double scale) {
   return std::abs(value - nodata) <= 0.5 * std::abs(scale) ? nodata : value;
@@ -206,6 +215,8 @@ SourceData read_las(const FileBytes& file, const ReadOptions& options) {
   drop_points(table, missing);
   data.left_out = static_cast<Index>(missing.size()) + drop_far_nodata(table, options.nodata);
   if (table.z.empty()) throw FileError(file.path(), "every point has the nodata value");
+  data.columns = columns_of(header.format);
+  data.columns_from = "header";
   data.notes.push_back("classes: " + list_of(classes, true));
   data.notes.push_back("returns: " + list_of(returns, false));
   if (withheld > 0) data.notes.push_back(fmt::format("{} points marked as withheld are left out", withheld));

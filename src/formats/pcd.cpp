@@ -47,6 +47,19 @@ Fields find_fields(const FileBytes& file, const PcdHeader& header) {
   return fields;
 }
 
+/// What each field was taken for; padding is none.
+std::vector<std::string> told(const PcdHeader& header, const Fields& fields) {
+  std::vector<std::string> names;
+  for (std::size_t f = 0; f < header.fields.size(); ++f) {
+    const std::string& name = header.fields[f].name;
+    Role taken = Role::skip;
+    for (const Role role : fields.used)
+      if (fields.at[static_cast<std::size_t>(role)] == static_cast<Index>(f)) taken = role;
+    if (name != "_") names.push_back(told_name(taken, name));
+  }
+  return names;
+}
+
 class Points {
  public:
   Points(const FileBytes& file, const PcdHeader& header, const ReadOptions& options)
@@ -88,6 +101,8 @@ class Points {
       if (data.left_out > 0) data.notes.push_back(left_out_note(data.left_out, *options_.nodata));
       if (data.left_out == 0 && header_.encoding != PcdEncoding::ascii) table_.line.clear();
       data.content = std::move(table_);
+      data.columns = told(header_, fields_);
+      data.columns_from = "header";
       return data;
     }
     PointRows rows;
@@ -95,7 +110,12 @@ class Points {
     for (Index k = 0; k < header_.points; ++k)
       rows.xyz.insert(rows.xyz.end(), {table_.x[k], table_.y[k], table_.z[k]});
     for (Index r = 0; r <= header_.height; ++r) rows.row_start.push_back(r * header_.width);
-    return {file_.path(), "pcd", std::move(rows)};
+    SourceData data{.path = file_.path(), .format = "pcd", .content = std::move(rows)};
+    // A camera's grid has its own neighbours: only the places are taken.
+    fields_.used.assign({Role::x, Role::y, Role::z});
+    data.columns = told(header_, fields_);
+    data.columns_from = "header";
+    return data;
   }
 
   const Fields& fields() const { return fields_; }

@@ -94,8 +94,22 @@ class PlyReader {
     if (left_out > 0) notes.push_back(left_out_note(left_out, *options_.nodata));
     SourceData data{.path = file_.path(), .format = "ply", .content = std::move(points_)};
     data.notes = std::move(notes);
+    data.columns = told();
+    data.columns_from = "header";
     data.left_out = left_out;
     return data;
+  }
+
+  /// What each property of a point was taken for.
+  std::vector<std::string> told() const {
+    const bool normals = has(roles_, Role::nx) && has(roles_, Role::ny) && has(roles_, Role::nz);
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < roles_.size(); ++k) {
+      const Role role = roles_[k];
+      const bool used = role == Role::u || role == Role::v ? parameters_ : role >= Role::nx ? normals : true;
+      names.push_back(told_name(used ? role : Role::skip, vertex_->properties[k].name));
+    }
+    return names;
   }
 
   bool text() const { return header_.encoding == PlyEncoding::ascii; }

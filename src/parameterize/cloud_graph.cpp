@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 #include "base/parallel.h"
+#include "data/mesh_topology.h"
 #include "knotfit/errors.h"
 #include "parameterize/cloud_gaps.h"
 #include "parameterize/delaunay.h"
@@ -16,6 +18,29 @@ namespace {
 using Corners = std::array<std::int32_t, 3>;
 
 constexpr double kLeastShare = 0.9;  // of the points, in one piece
+constexpr double kFlat =
+    -0.99;  // cosine: 172 degrees opposite the rim; rounding and kMove leave 175 on a straight one
+constexpr double kMove = 0.02;  // of the distance to the nearest neighbour
+
+/// The points, each moved by up to 2 % of the distance to its nearest neighbour, by its number alone. On a regular grid four
+/// points lie on a circle, and the triangulations around them, each in a plane of its own, would choose its diagonal at
+/// random.
+std::vector<double> apart_from_ties(std::span<const double> points, const NeighbourLists& near) {
+  std::vector<double> moved(points.begin(), points.end());
+  for (std::size_t k = 0; 3 * k < moved.size(); ++k) {
+    double nearest = 0;
+    for (std::size_t i = 0, count = static_cast<std::size_t>(near.count); i < count && !(nearest > 0); ++i)
+      nearest = std::sqrt(near.squared[k * count + i]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      // splitmix64 [Steele14]
+      std::uint64_t x = (3 * k + c + 1) * 0x9e3779b97f4a7c15;
+      x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
+      x = (x ^ x >> 27) * 0x94d049bb133111eb;
+      moved[3 * k + c] += kMove * nearest * (std::ldexp(static_cast<double>((x ^ x >> 31) >> 11), -52) - 1);
+    }
+  }
+  return moved;
+}
 
 /// Pairs of neighbours of point k between which its own triangulation has a triangle with k, counter-clockwise.
 std::vector<std::array<std::int32_t, 2>> star(std::span<const double> points, Index k,
@@ -49,8 +74,8 @@ std::vector<std::array<std::int32_t, 2>> star(std::span<const double> points, In
 }
 
 struct Candidate {
-  Corners corners;  ///< the least first
-  int votes = 0;
+  Corners corners;     ///< the least first
+  int votes = 0;       ///< of its corners
   double longest = 0;  ///< squared
 };
 
@@ -58,7 +83,8 @@ std::vector<Candidate> candidates(std::span<const double> points, const Neighbou
                                   const std::vector<Vector>& normals) {
   const auto n = static_cast<Index>(normals.size());
   std::vector<std::vector<std::array<std::int32_t, 2>>> stars(static_cast<std::size_t>(n));
-  parallel_for(n, [&](Index k) { stars[k] = star(points, k, near, normals); });
+  const std::vector<double> moved = apart_from_ties(points, near);
+  parallel_for(n, [&](Index k) { stars[k] = star(moved, k, near, normals); });
   std::vector<Corners> all;
   for (Index k = 0; k < n; ++k)
     for (const auto& [i, j] : stars[k]) {
@@ -71,16 +97,14 @@ std::vector<Candidate> candidates(std::span<const double> points, const Neighbou
   for (std::size_t k = 0; k < all.size();) {
     std::size_t end = k + 1;
     while (end < all.size() && all[end] == all[k]) ++end;
-    if (end - k >= 2) {
-      Candidate c{all[k], static_cast<int>(end - k), 0};
-      for (int side = 0; side < 3; ++side) {
-        double d = 0;
-        for (int x = 0; x < 3; ++x)
-          d += std::pow(points[3 * c.corners[side] + x] - points[3 * c.corners[(side + 1) % 3] + x], 2);
-        c.longest = std::max(c.longest, d);
-      }
-      result.push_back(c);
+    Candidate c{all[k], static_cast<int>(end - k), 0};
+    for (int side = 0; side < 3; ++side) {
+      double d = 0;
+      for (int x = 0; x < 3; ++x)
+        d += std::pow(points[3 * c.corners[side] + x] - points[3 * c.corners[(side + 1) % 3] + x], 2);
+      c.longest = std::max(c.longest, d);
     }
+    result.push_back(c);
     k = end;
   }
   std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
@@ -131,6 +155,33 @@ bool keep_one_fan(std::vector<Corners>& faces, Index vertices) {
   return changed;
 }
 
+/// Flat triangles against the rim, as rounding leaves them along a straight one: their corners lie on a line, nearly. One
+/// goes where its other two edges have another face each, so that no point is lost.
+bool peel_flat(Mesh& mesh) {
+  const MeshTopology topology(mesh);
+  std::vector<char> gone(mesh.faces.size(), 0), rim(mesh.faces.size(), 0), open(3 * mesh.faces.size(), 0);
+  for (const BoundaryLoop& loop : topology.loops())
+    for (const std::int32_t h : loop.half_edges) open[h] = 1, ++rim[h / 3];
+  for (std::size_t h = 0; h < open.size(); ++h) {
+    if (open[h] == 0 || rim[h / 3] != 1) continue;
+    const Corners& t = mesh.faces[h / 3];
+    const double *p = mesh.vertex(t[(h + 2) % 3]), *a = mesh.vertex(t[h % 3]),
+                 *b = mesh.vertex(t[(h + 1) % 3]);
+    double along = 0, to_a = 0, to_b = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double x = a[c] - p[c], y = b[c] - p[c];
+      along += x * y, to_a += x * x, to_b += y * y;
+    }
+    gone[h / 3] = !(along > kFlat * std::sqrt(to_a) * std::sqrt(to_b));
+  }
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < gone.size(); ++f)
+    if (gone[f] == 0) mesh.faces[kept++] = mesh.faces[f];
+  const bool changed = kept < gone.size();
+  mesh.faces.resize(kept);
+  return changed;
+}
+
 }  // namespace
 
 Mesh join_neighbours(std::span<const double> points, const NeighbourLists& near,
@@ -145,11 +196,15 @@ Mesh join_neighbours(std::span<const double> points, const NeighbourLists& near,
   for (const Candidate& c : candidates(points, near, normals)) {
     const auto& [a, b, d] = c.corners;
     if (is_taken(a, b) || is_taken(b, d) || is_taken(d, a)) continue;
+    // One vote alone closes what two leave open: a hole of three edges, a notch in the rim.
+    if (c.votes < 2 && is_taken(b, a) + is_taken(d, b) + is_taken(a, d) < 2) continue;
     taken[a].push_back(b), taken[b].push_back(d), taken[d].push_back(a);
     mesh.faces.push_back(c.corners);
   }
-  while (keep_one_fan(mesh.faces, mesh.vertex_count())) {
-  }
+  do {
+    while (keep_one_fan(mesh.faces, mesh.vertex_count())) {
+    }
+  } while (!mesh.faces.empty() && peel_flat(mesh));
   return mesh;
 }
 

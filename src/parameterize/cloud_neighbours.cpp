@@ -1,11 +1,13 @@
 #include "parameterize/cloud_neighbours.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
 #include <queue>
 
 #include "base/parallel.h"
+#include "parameterize/cloud_lines.h"
 namespace knotfit::cloud {
 namespace {
 
@@ -22,22 +24,62 @@ struct Cloud {
 };
 
 template <int dimension>
-void search(std::span<const double> points, NeighbourLists& lists) {
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
-                                                   dimension, std::uint32_t>;
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
+                                                 dimension, std::uint32_t>;
+
+/// The nearest others of a point.
+template <int dimension>
+class Others {
+ public:
+  Others(const Tree<dimension>& tree, std::span<const double> points) : tree_(tree), points_(points) {}
+  void find(Index k, std::size_t count, Nearest& nearest) {
+    // One more than asked for: the point itself, or one at the same place, is among them.
+    found_.resize(count + 1);
+    far_.resize(count + 1);
+    const std::size_t all =
+        tree_.knnSearch(points_.data() + k * dimension, count + 1, found_.data(), far_.data());
+    nearest.index.clear(), nearest.squared.clear();
+    for (std::size_t i = 0; i < all && nearest.index.size() < count; ++i)
+      if (found_[i] != static_cast<std::uint32_t>(k))
+        nearest.index.push_back(found_[i]), nearest.squared.push_back(far_[i]);
+  }
+
+ private:
+  const Tree<dimension>& tree_;
+  std::span<const double> points_;
+  std::vector<std::uint32_t> found_;
+  std::vector<double> far_;
+};
+
+template <int dimension>
+void search(std::span<const double> points, NeighbourLists& lists, bool across_lines) {
   const Cloud cloud{points.data(), points.size() / dimension, dimension};
-  const Tree tree(dimension, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  const Tree<dimension> tree(dimension, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
   const auto count = static_cast<std::size_t>(lists.count);
   parallel_for(static_cast<Index>(cloud.size), [&](Index k) {
-    // One more than asked for: the point itself, or one at the same place, is among them.
-    std::vector<std::uint32_t> index(count + 1);
-    std::vector<double> squared(count + 1);
-    tree.knnSearch(points.data() + k * dimension, count + 1, index.data(), squared.data());
-    std::size_t to = static_cast<std::size_t>(k) * count, taken = 0;
-    for (std::size_t i = 0; i <= count && taken < count; ++i)
-      if (index[i] != static_cast<std::uint32_t>(k))
-        lists.index[to] = index[i], lists.squared[to++] = squared[i], ++taken;
+    Others<dimension> others(tree, points);
+    Nearest nearest;
+    others.find(k, count, nearest);
+    if (dimension == 3 && across_lines)
+      reach_across(points, k, nearest,
+                   [&](std::size_t wanted, Nearest& pool) { others.find(k, wanted, pool); });
+    const auto to = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k) * count);
+    std::copy_n(nearest.index.begin(), count, lists.index.begin() + to);
+    std::copy_n(nearest.squared.begin(), count, lists.squared.begin() + to);
   });
+}
+
+NeighbourLists lists_of(std::span<const double> points, int dimension, int count, bool across_lines) {
+  NeighbourLists lists;
+  lists.count = count;
+  const std::size_t n = points.size() / static_cast<std::size_t>(dimension);
+  lists.index.assign(n * static_cast<std::size_t>(count), 0);
+  lists.squared.assign(n * static_cast<std::size_t>(count), 0);
+  if (dimension == 2)
+    search<2>(points, lists, false);
+  else
+    search<3>(points, lists, across_lines);
+  return lists;
 }
 
 }  // namespace
@@ -51,16 +93,11 @@ std::array<Vector, 2> frame_of(const Vector& axis) {
 }
 
 NeighbourLists nearest_neighbours(std::span<const double> points, int dimension, int count) {
-  NeighbourLists lists;
-  lists.count = count;
-  const std::size_t n = points.size() / static_cast<std::size_t>(dimension);
-  lists.index.assign(n * static_cast<std::size_t>(count), 0);
-  lists.squared.assign(n * static_cast<std::size_t>(count), 0);
-  if (dimension == 2)
-    search<2>(points, lists);
-  else
-    search<3>(points, lists);
-  return lists;
+  return lists_of(points, dimension, count, false);
+}
+
+NeighbourLists neighbours_across_lines(std::span<const double> points, int count) {
+  return lists_of(points, 3, count, true);
 }
 
 Axes principal_axes(std::span<const double> points, std::span<const std::uint32_t> index) {

@@ -26,6 +26,12 @@ struct NeighbourLists {
 /// \param points  n x dimension, 2 or 3; n > count
 NeighbourLists nearest_neighbours(std::span<const double> points, int dimension, int count);
 
+/// The same in space, but where points lie in lines far denser along than across, as scanners leave them: there in the
+/// metric that makes both spacings equal, so that the lines beside a point's own are among its neighbours; by growing
+/// distance all the same. A point whose neighbours spread keeps the nearest.
+/// \param points  n x 3; n > count
+NeighbourLists neighbours_across_lines(std::span<const double> points, int count);
+
 /// Centre and principal axes: the variances along them, growing.
 struct Axes {
   Vector centre{}, axis[3];

@@ -65,13 +65,19 @@ double longest_edge(const std::array<std::int32_t, 3>& triangle, std::span<const
   return longest;
 }
 
-/// Triangles that bridge a gap of the data.
-std::vector<char> bridges(const Triangulation& t, std::span<const double> places) {
+/// Triangles that bridge a gap of the data. The neighbours of a point on a line tell nothing of the next line, but all its
+/// triangles reach there, and so do the circles through their corners.
+std::vector<char> bridges(const Triangulation& t, std::span<const double> places, const Spacing& circles) {
   const auto n = static_cast<Index>(t.used.size());
   std::vector<double> spacing(static_cast<std::size_t>(n), INFINITY);
   if (n > 2 * kSpacing) {
+    for (std::size_t f = 0; f < t.triangle.size(); ++f)
+      for (const std::int32_t k : t.triangle[f]) spacing[k] = std::min(spacing[k], circles.radius(f));
     const NeighbourLists near = nearest_neighbours(places, 2, kSpacing);
-    for (Index k = 0; k < n; ++k) spacing[k] = std::sqrt(near.squared[(k + 1) * kSpacing - 1]);
+    for (Index k = 0; k < n; ++k) {
+      const double distance = std::sqrt(near.squared[(k + 1) * kSpacing - 1]);
+      spacing[k] = std::isfinite(spacing[k]) ? std::max(spacing[k], distance) : distance;
+    }
   }
   std::vector<char> bridge;
   for (const auto& f : t.triangle)
@@ -132,11 +138,11 @@ CloudMap triangulate_on(const Grid& grid, std::span<const double> points, std::s
   const Triangulation t = delaunay(cells);
   if (t.triangle.empty())
     throw InvalidInput("all points lie on one straight line of the base: there is no surface over it");
-  std::vector<char> bridge = bridges(t, places);
+  const Spacing circles(t.triangle, circle_radii(t.triangle, places, 2), n);
+  std::vector<char> bridge = bridges(t, places, circles);
   // Where most of the square is gaps, the measure of a gap is none: points in lines far apart.
   if (2 * std::count(bridge.begin(), bridge.end(), 1) > static_cast<Index>(bridge.size()))
     bridge.assign(bridge.size(), 0);
-  const Spacing circles(t.triangle, circle_radii(t.triangle, places, 2), n);
   std::vector<double> spacing(static_cast<std::size_t>(n), 0);
   if (every_point) {
     keep_every_point(t, places, bridge);

@@ -83,7 +83,7 @@ std::string other_ways(const CloudMap& cloud) {
       points.insert(points.end(), cloud.mesh.vertex(k), cloud.mesh.vertex(k) + 3);
   const auto n = static_cast<Index>(points.size()) / 3;
   const NeighbourLists near =
-      cloud::nearest_neighbours(points, 3, static_cast<int>(std::min<Index>(16, n - 1)));
+      cloud::neighbours_across_lines(points, static_cast<int>(std::min<Index>(16, n - 1)));
   try {
     const BasePlaces round = cloud::project_to_cylinder(points, cloud::agreeing_normals(points, near));
     double low = INFINITY, high = -INFINITY;
@@ -147,7 +147,7 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
     cloud::turn_to_normals(plane, points, options.normals);
   }
   const int count = static_cast<int>(std::min<Index>(options.neighbours, n - 1));
-  const NeighbourLists near = cloud::nearest_neighbours(points, 3, count);
+  const NeighbourLists near = cloud::neighbours_across_lines(points, count);
   const std::vector<Vector> normals = cloud::agreeing_normals(points, near, options.normals);
   const auto counted = [&](CloudMap map) {
     map.normals = count_normals(options.normals);

@@ -36,6 +36,25 @@ class Compare(ToolTest):
             if row["method"] == "optimal":
                 self.assertLessEqual(row["rms"], best * 1.01)
 
+    def test_it_says_what_the_columns_were_taken_for(self):
+        self.write("p.csv", "x,y,z,u,v,intensity\n" + "".join(
+            f"{i},{j},{step(i / 9, j / 9)},{i / 9},{j / 9},7\n" for i in range(10) for j in range(10)))
+        ask = ["p.csv", "--sizes", "5x5", "--methods", "uniform,averaging", "--between", "off"]
+        wanted = "columns: x y z u v intensity (by the header; left out: intensity)"
+        self.assertEqual(self.run_tool("compare", *ask).stdout.splitlines()[3:], [wanted])
+        j = self.run_json("compare", *ask)
+        self.assertEqual((j["columns"], j["columns_from"]), (["x", "y", "z", "u", "v", "intensity"], "header"))
+        self.assertIn(wanted + "\n", self.run_tool("fit", "p.csv", "--control-points", "5").stdout)
+        # Points of other formats have columns too.
+        self.write("p.ply", "ply\nformat ascii 1.0\nelement vertex 100\n" + "".join(
+            f"property float {c}\n" for c in ("x", "y", "z", "red", "green", "blue", "u", "v")) + "end_header\n" +
+            "".join(f"{i} {j} {step(i / 9, j / 9)} 1 2 3 {i / 9} {j / 9}\n" for i in range(10) for j in range(10)))
+        for command in ("compare", "fit", "info"):
+            with self.subTest(command=command):
+                options = ask[1:] if command == "compare" else ["--control-points", "5"] if command == "fit" else []
+                self.assertIn("columns: x y z r g b u v (by the header; left out: r g b)\n",
+                              self.run_tool(command, "p.ply", *options).stdout)
+
     def test_a_row_is_what_fit_says(self):
         self.write_points(count=300)
         row = self.rows("--sizes", "6x7", "--methods", "dominant")[0]

@@ -136,7 +136,20 @@ class FitCurve(ToolTest):
             self.assertLessEqual(best, row["rms"] * 1.001, row["method"])
         table = self.run_tool("fit-curve", SAMPLES / "blade_profile.csv", "--closed", "--control-points", "20",
                               "--compare", "nktp,dominant").stdout
-        self.assertEqual(len(table.splitlines()), 3)
+        self.assertEqual(len(table.splitlines()), 4)
+        self.assertEqual(table.splitlines()[-1], "columns: x y (by the header)")
+
+    def test_a_table_says_what_was_read(self):
+        text = "a profile\n" + "".join(f"{math.cos(k / 20)} {math.sin(k / 20)}\n" for k in range(60))
+        self.write("arc.dat", text)
+        ask = ["fit-curve", "arc.dat", "--control-points", "8"]
+        table = ["--compare", "uniform,averaging"]
+        j, one = self.run_json(*ask, *table), self.run_json(*ask)
+        self.assertEqual((j["columns"], j["columns_from"]), (["x", "y"], "guess"))
+        self.assertEqual(j["notes"], [n for n in one["notes"] if "left out" in n])
+        self.assertEqual(len(j["notes"]), 1)
+        lines = self.run_tool(*ask, *table).stdout.splitlines()
+        self.assertEqual(lines[3:], ["columns: x y (guessed)", "note: " + j["notes"][0]])
 
     def test_a_curve_is_kept_to_its_data(self):
         # A step on uniform knots: least squares through the few points on it swing by diagonals.

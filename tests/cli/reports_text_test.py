@@ -54,7 +54,7 @@ class Reports(ToolTest):
         "xyz_normals.xyz": (400, "x y z nx ny nz", "guess", []),
         "time_column.csv": (400, "x y z time", "header", []),
         "n4_intensity.npy": (300, "x y z intensity", "guess", []),
-        "fewer_claimed.las": (250, None, None, ["the header claims 250 points, which are read, but 150 more follow them"]),
+        "fewer_claimed.las": (250, "x y z intensity return class time", "header", ["the header claims 250 points, which are read, but 150 more follow them"]),
     }
 
     def test_what_is_read(self):

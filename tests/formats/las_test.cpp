@@ -24,6 +24,21 @@ TEST(Las, EveryVersionAndPointFormat) {
       }
 }
 
+TEST(Las, TellsWhatAPointHolds) {
+  const auto told = [](int format) {
+    const SourceData data = read("a.las", las({.minor = 4, .format = format, .points = kThree}));
+    EXPECT_EQ(data.columns_from, "header");
+    std::string names;
+    for (const std::string& name : data.columns) names += name + ' ';
+    return names;
+  };
+  const std::string always = "x y z intensity return class ";
+  EXPECT_EQ(told(0), always);
+  for (const int format : {1, 4, 6, 9}) EXPECT_EQ(told(format), always + "time ");
+  for (const int format : {3, 5, 7, 8, 10}) EXPECT_EQ(told(format), always + "time r g b ");
+  EXPECT_EQ(told(2), always + "r g b ");
+}
+
 TEST(Las, CoordinatesOfAMapKeepTheirMillimetres) {
   LasFile file{.points = {{123456789, 987654321, 1}}, .scale = 0.001, .origin = {500000, 4.6e6, -10}};
   const PointTable t = points(file);

@@ -70,6 +70,23 @@ TEST(Pcd, NormalsWhereAllThreeAreThere) {
       points(header("x y z normal_x normal_y curvature", "ascii") + "1 2 3 0 0 1\n4 5 6 0 0 1").nx.empty());
 }
 
+TEST(Pcd, TellsWhatTheFieldsWereTakenFor) {
+  using Names = std::vector<std::string>;
+  const auto told = [](const char* names, Index width, Index height) {
+    const SourceData data =
+        read("a.pcd", pcd_header(names, "4 4 4 4 4 4", "F F F F F F", "1 1 1 1 1 1", width, height, "ascii") +
+                          "1 2 3 4 5 6\n7 8 9 10 11 12\n");
+    EXPECT_EQ(data.columns_from, "header");
+    return data.columns;
+  };
+  EXPECT_EQ(told("x y z normal_x normal_y normal_z", 2, 1), (Names{"x", "y", "z", "nx", "ny", "nz"}));
+  EXPECT_EQ(told("x y z normal_x normal_y curvature", 2, 1), (Names{"x", "y", "z", "-", "-", "curvature"}));
+  EXPECT_EQ(told("rgb z y x _ ring", 2, 1), (Names{"rgb", "z", "y", "x", "-"}));
+  EXPECT_EQ(told("x y z u v intensity", 2, 1), (Names{"x", "y", "z", "u", "v", "intensity"}));
+  EXPECT_EQ(told("x y z u v intensity", 1, 2),
+            (Names{"x", "y", "z", "-", "-", "intensity"}));  // a camera's grid
+}
+
 TEST(Pcd, PaddingIsNotInCompressedData) {
   const std::string header =
       pcd_header("x y z _", "4 4 4 1", "F F F U", "1 1 1 4", 1, 1, "binary_compressed");

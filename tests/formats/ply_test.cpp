@@ -110,6 +110,28 @@ TEST(PlyReader, NormalsOfPoints) {
   EXPECT_EQ(t.nz, (std::vector<double>{0.8, 0}));
 }
 
+TEST(PlyReader, TellsWhatThePropertiesOfPointsWereTakenFor) {
+  const auto told = [](std::initializer_list<const char*> names) {
+    std::string header = "element vertex 1\n", row;
+    for (const char* name : names) header += std::string("property float ") + name + "\n", row += "1 ";
+    const SourceData data = read("a.ply", ascii(header, row + "\n"));
+    EXPECT_EQ(data.columns_from, "header");
+    return data.columns;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(told({"x", "y", "z"}), (Names{"x", "y", "z"}));
+  EXPECT_EQ(told({"red", "z", "x", "y", "quality", "intensity", "alpha"}),
+            (Names{"r", "z", "x", "y", "-", "intensity", "a"}));
+  EXPECT_EQ(told({"x", "y", "z", "s", "t", "weight", "nx", "ny", "nz"}),
+            (Names{"x", "y", "z", "u", "v", "w", "nx", "ny", "nz"}));
+  // What lacks its companions is left out.
+  EXPECT_EQ(told({"x", "y", "z", "nx", "ny", "t"}), (Names{"x", "y", "z", "-", "-", "time"}));
+  EXPECT_TRUE(read("a.ply", ascii("element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                                  "element face 1\nproperty list uchar int vertex_indices\n",
+                                  "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"))
+                  .columns.empty());  // of a mesh they are no columns
+}
+
 TEST(PlyReader, ParametersOfCornersWhereTheyAgree) {
   const std::string header = kVertex + kFace + "property list uchar float texcoord\n";
   const Mesh m = mesh(ascii(header, kSquare + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0 1\n"));
