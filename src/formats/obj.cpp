@@ -50,13 +50,13 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// A line's first word and the rest.
-std::pair<std::string_view, std::string_view> split_word(std::string_view line) {
+/// A line's first word, in small letters, and the rest.
+std::pair<std::string, std::string_view> split_word(std::string_view line) {
   const char* const end = line.data() + line.size();
   const char* stop = line.data();
   while (stop < end && !is_blank(*stop)) ++stop;
   const auto length = static_cast<std::size_t>(stop - line.data());
-  return {line.substr(0, length), line.substr(length)};
+  return {lower_case(line.substr(0, length)), line.substr(length)};
 }
 
 class ObjReader {
@@ -102,9 +102,10 @@ class ObjReader {
         triangles_ += std::max<Index>(count_numbers(rest) - 2, 0);
       } else if (!word.empty() && kIgnored.find(fmt::format(" {} ", word)) == std::string_view::npos) {
         if (!is_letter(word[0]))
-          throw FileError(file_.path(), static_cast<long long>(line.number),
-                          fmt::format("{} is no keyword of an OBJ file", in_quotes(word)));
-        if (unknown++ == 0) first = line.number, name = in_quotes(word);
+          throw FileError(
+              file_.path(), static_cast<long long>(line.number),
+              fmt::format("{} is no keyword of an OBJ file", in_quotes(line.text.substr(0, word.size()))));
+        if (unknown++ == 0) first = line.number, name = in_quotes(line.text.substr(0, word.size()));
       }
     }
     if (unknown > 0)

@@ -55,6 +55,19 @@ TEST(ObjDialects, WordsItDoesNotKnowAreLeftOutAndSaid) {
               "line 7: \"q\" is no keyword of an OBJ file: the line is left out");
 }
 
+TEST(ObjDialects, KeywordsMayBeInCapitals) {
+  const std::string file =
+      "O sheet\nV 0 0 0\nV 1 0 0\nv 1 1 0\nV 0 1 0.5\nVN 0 0 1\nVT 0 0\nVT 1 0\nvt 1 1\nVt 0 1\nUSEMTL grey\n"
+      "F 1/1/1 2/2/1 3/3/1\nf -4/-4 -2/-2 -1/-1\n";
+  expect_square(mesh("a.obj", file));
+  EXPECT_EQ(mesh("a.obj", file).uv, (std::vector<double>{0, 0, 1, 0, 1, 1, 0, 1}));
+  EXPECT_EQ(notes("a.obj", file), "");
+  // What none of them is stays so, and is told as it is written.
+  expect_note("a.obj", kSquare + "Foo 1\nF 1 2 3 4\n",
+              "line 5: \"Foo\" is no keyword of an OBJ file: the line is left out");
+  EXPECT_EQ(content<PointTable>(read("a.obj", "V 1 2 3\nV 4 5 6\n")).z, (std::vector<double>{3, 6}));
+}
+
 TEST(ObjDialects, TextureVerticesThatAreNotThereStopNothing) {
   expect_square(mesh("a.obj", kSquare + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"));
   expect_note("a.obj", kSquare + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
