@@ -43,11 +43,28 @@ WeldSummary weld_with_parameters(Mesh& mesh, double tolerance, bool keep_paramet
   return kept ? of_cut : summary;
 }
 
+void drop_doubled(Mesh& mesh, SourceData& data) {
+  DoubledFaces doubled;
+  try {
+    doubled = drop_doubled_faces(mesh);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(data.path + ": " + e.what());
+  }
+  if (doubled.faces == 0) return;
+  std::string how = doubled.reversed == 0 ? "in the same order"
+                    : doubled.reversed == doubled.faces
+                        ? "in the opposite order, as in two-sided models"
+                        : fmt::format("{} of them in the opposite order", doubled.reversed);
+  data.notes.push_back(fmt::format("{} there a second time, with the same corners {}: one of each is kept",
+                                   plural(doubled.faces, "face is", "faces are"), how));
+}
+
 }  // namespace
 
 Index weld_input(SourceData& data, const InputOptions& options) {
   Mesh* mesh = std::get_if<Mesh>(&data.content);
   if (mesh == nullptr || options.every_vertex) return 0;
+  drop_doubled(*mesh, data);
   const WeldChoice choice = parse_weld(options.weld.value_or("auto"));
   if (choice.off) return 0;
   WeldSummary summary;

@@ -6,7 +6,7 @@
 #include "options.h"
 namespace knotfit::tool {
 
-/// Makes the vertices of a mesh at the same place one, as --weld says, and notes how many. Parameters of the file are
+/// Drops faces that a mesh has twice, then makes its vertices at the same place one, as --weld says, and notes how many. Parameters of the file are
 /// given up only where they differ on both sides of an edge that joins parts of the mesh, and
 /// the options do not keep them.
 /// \return vertices that went into others

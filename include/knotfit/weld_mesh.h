@@ -1,4 +1,5 @@
-// Corners that a file gives to each face apart: vertices at the same place made one where that joins the mesh.
+// Corners that a file gives to each face apart: vertices at the same place made one where that joins the mesh. Faces that
+// it gives twice.
 #pragma once
 #include "knotfit/mesh.h"
 namespace knotfit {
@@ -26,5 +27,16 @@ double weld_tolerance(const Mesh& mesh, bool single_precision = false);
 /// \param keep_parameters  vertices whose parameters differ stay apart
 /// \throws InvalidInput  see inspect(); the tolerance is negative, not finite or above 1 % of the diagonal
 WeldSummary weld(Mesh& mesh, double tolerance, bool keep_parameters = false);
+
+struct DoubledFaces {
+  Index faces = 0;     ///< of the file, dropped
+  Index reversed = 0;  ///< of them, those with their corners in the opposite order
+};
+
+/// Of faces whose corners lie at the very same places, in the same order or the opposite one (two-sided models), keeps
+/// one: the first, turned where only that agrees with its neighbours and the file has it that way too. Vertices that then
+/// no face uses go. Before weld(): two sides with vertices of their own would become a closed mesh.
+/// \throws InvalidInput  see inspect()
+DoubledFaces drop_doubled_faces(Mesh& mesh);
 
 }  // namespace knotfit

@@ -196,6 +196,33 @@ class Welding(ReportsTest):
         self.assertEqual((report["input"]["points"], report["input"]["mesh"]["dropped_faces"]), (81, 1))
 
 
+class TwoSided(ReportsTest):
+    def test_in_every_format_and_command(self):
+        vertices, faces = grid()
+        front = len(faces)
+        both = faces + [tuple(reversed(f)) for f in faces]
+        self.write("one.obj", obj(vertices, faces))
+        self.write("m.obj", obj(vertices, both))
+        self.write("m.off", off(vertices, both))
+        self.write("m.ply", ply(vertices, both))
+        (self.folder / "m.stl").write_bytes(stl(vertices, both))
+        self.write("soup.obj", obj(*soup(vertices, both)))
+        ask = ["--control-points", "6", "--knots", "uniform", "--correct", "off"]
+        one = self.run_json("fit", "one.obj", *ask)
+        for name in ("m.obj", "m.off", "m.ply", "m.stl", "soup.obj"):
+            with self.subTest(file=name):
+                info = self.info(name)
+                self.assert_facts(info, vertices=len(vertices), triangles=front, parts=1, boundary_loops=1, disk=True)
+                note = f"{front} faces are there a second time, with the same corners in the opposite order"
+                self.assert_note(info, note, "one of each is kept")
+                fit = self.run_json("fit", name, *ask)
+                self.assert_note(fit, note)
+                self.assertEqual(fit["input"]["points"], len(vertices))
+                if name != "m.stl":  # single precision
+                    self.assertAlmostEqual(fit["error"]["rms"], one["error"]["rms"], delta=1e-9)
+        self.assert_no_note(self.info("one.obj"), "second time")
+
+
 class TextureCoordinates(ReportsTest):
     def fit(self, name):
         return self.run_json("fit", name, *SIZE)
