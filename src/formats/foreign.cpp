@@ -102,8 +102,11 @@ std::string sentence(std::string_view what, std::string_view command, const std:
   const std::string path =
       where == "standard input" ? "FILE" : where;  // what came through a pipe has no name
   const std::filesystem::path file(path);
-  const std::string out = (file.parent_path() / file.stem()).string();
+  std::string out = (file.parent_path() / file.stem()).string();
   std::string text(command);
+  // Never over the file itself: a LAZ file may be called .las, a Surfer grid .asc.
+  if (const std::size_t at = text.find("OUT"); at != std::string::npos)
+    if (out + text.substr(at + 3, text.find_first_of(" '", at) - at - 3) == path) out += "_converted";
   if (text.find("'IN'") != std::string::npos) {  // in quotes already
     replace(text, "IN", path);
     replace(text, "OUT", out);

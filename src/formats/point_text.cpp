@@ -40,11 +40,12 @@ std::string column_title(std::size_t column, Role role) {
       throw FileError(file.path(), line.number,
                       fmt::format("{}: {} is beyond the range of a double", title, in_quotes(fields[i])));
     if (status == NumberStatus::not_a_number && !is_missing_word(fields[i]))
-      throw FileError(
-          file.path(), line.number,
-          fmt::format(
-              "{}: {} is not a number{}", title, in_quotes(fields[i]),
-              fields[i].find(',') != std::string_view::npos ? " (write decimal points, not commas)" : hint));
+      throw FileError(file.path(), line.number,
+                      fmt::format("{}: {} is not a number{}", title, in_quotes(fields[i]),
+                                  fields[i].find(',') == std::string_view::npos ? hint
+                                  : fields[i].find('.') == std::string_view::npos
+                                      ? " (write decimal points, not commas)"
+                                      : " (write numbers without commas between thousands)"));
   }
   throw FileError(file.path(), line.number, "the line cannot be read");
 }

@@ -129,6 +129,8 @@ TEST(CsvReader, NamesLineAndColumnOfABadNumber) {
   refuses("a.csv", "x,y,z\n1,2 3,4\n", "a.csv:2: column 2 (y): \"2 3\" is not a number");
   refuses("a.csv", "x,y,z\n1,2,1e999\n", "a.csv:2: column 3 (z): \"1e999\" is beyond the range");
   refuses("a.csv", "x;y;z\n1,5;2;3\n", "write decimal points, not commas");
+  refuses("a.csv", "x,y,z\n\"1,000.5\",2,3\n",
+          "\"1,000.5\" is not a number (write numbers without commas between");
   refuses("a.csv", "P1 1 2\n", "a.csv:1: column 1 (x): \"P1\" is not a number");
   refuses("a.csv", "P1 1 2 3\n", "a.csv:1: column 1 (x): \"P1\" is not a number");
 }

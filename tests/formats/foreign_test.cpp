@@ -34,6 +34,11 @@ std::vector<Sample> samples() {
       {"a.tif", "II*\0\x08\0\0\0"s, "a GeoTIFF raster", "gdal_translate -of AAIGrid a.tif a.asc"},
       {"a.tiff", "MM\0*\0\0\0\x08"s, "a GeoTIFF raster", "gdal_translate -of AAIGrid a.tiff a.asc"},
       {"big.tif", "II+\0\x08\0\0\0"s, "a GeoTIFF raster", "gdal_translate -of AAIGrid big.tif big.asc"},
+      // The command never writes over the file that it reads.
+      {"a.asc", "DSAA\n3 2\n", "a Surfer grid", "gdal_translate -of AAIGrid a.asc a_converted.asc"},
+      {"a.las", las_header(131), "a compressed point cloud (LAZ)", "pdal translate a.las a_converted.las"},
+      {"a.npy", zip_of("x.npy", "y.npy"), "an archive of NumPy arrays (.npz)",
+       "numpy.save('a_converted.npy'"},
       {"a.laz", las_header(131), "a compressed point cloud (LAZ)", "pdal translate a.laz a.las"},
       {"a.copc.laz", las_header(134), "LAZ", "pdal translate a.copc.laz a.copc.las"},
       {"a.e57", "ASTM-E57\1\0\0\0"s, "an E57 point cloud", "pdal translate a.e57 a.las"},
