@@ -123,8 +123,8 @@ struct Weights {
   double bend, slope;
   /// \param hole   0 where data is, 1 where none is
   /// \param tau2   square of how far the data is from flat there, range2 of its range, t2 of the scale
-  Weights(double hole, double tau2, double range2, double t2)
-      : bend(std::pow(kBend, 1 - hole) * std::pow(kBendHole, hole) * t2 / (tau2 + t2)),
+  Weights(double hole, double spacing, double tau2, double range2, double t2)
+      : bend(std::pow(kBend, 1 - hole) * std::pow(kBendHole, hole) * spacing * spacing * t2 / (tau2 + t2)),
         slope(std::pow(kSlope, 1 - hole) * std::pow(kSlopeHole, hole) * t2 /
               (kRangeShare * range2 + tau2 + t2)) {}
 };
@@ -214,8 +214,7 @@ DataRaster data_raster(const ParameterizedPoints& points, double scale) {
       }
       const double tau2 = *std::max_element(residual2.begin(), residual2.end());
       const double spacing = h * std::sqrt(std::numbers::pi / static_cast<double>(local.count()));
-      const Weights w(hole, tau2, range2, scale * scale);
-      const double bend = w.bend * spacing * spacing, slope = w.slope;
+      const auto [bend, slope] = Weights(hole, spacing, tau2, range2, scale * scale);
       const double ratio = local.anisotropy();
       raster.spacing_u[cell] = spacing / std::sqrt(ratio);
       raster.spacing_v[cell] = spacing * std::sqrt(ratio);
@@ -282,9 +281,9 @@ DataRaster strip_raster(const CurvePoints& points, double scale) {
     const double tau2 = *std::max_element(residual2.begin(), residual2.end());
     const double spacing = 2 * h / static_cast<double>(near);
     raster.spacing_u[i] = spacing;
-    const Weights w(hole, tau2, range2, scale * scale);
+    const Weights w(hole, spacing, tau2, range2, scale * scale);
     // As on surfaces for each point; on the strip it stands twice.
-    for (const auto& [kind, weight] : {std::pair{DataRaster::kUu, 2 * w.bend * spacing * spacing * spacing},
+    for (const auto& [kind, weight] : {std::pair{DataRaster::kUu, 2 * w.bend * spacing},
                                        std::pair{DataRaster::kU, 2 * w.slope * spacing}}) {
       raster.weight[i * DataRaster::kKinds + kind] = weight;
       for (int e = 0; e < raster.dimension; ++e) goal[kind * raster.dimension + e] *= weight;

@@ -47,6 +47,8 @@ class Attempts {
   /// Best: the fewest control points that hold, else the least error among surfaces that keep to the data.
   RefineResult finish(Status unmet) const;
   bool reached() const { return best_holds_; }
+  /// Some surface held the tolerance at the points and was refused for its swings.
+  bool any_refused() const { return held_but_swings_; }
   const InteriorKnots& best() const { return best_; }
 
  private:

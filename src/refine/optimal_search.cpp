@@ -18,6 +18,7 @@ constexpr double kLeastThoroughSaving =
     0.2;                               // what a second, thorough look must see after a first that saw little
 constexpr double kLittleWork = 2e10;   // seconds: then even a small saving is worth it
 constexpr double kMuchWork = 2e10;     // of the last sizes alone: half a minute
+constexpr Index kPlacedLeast = 400;    // control points that a last search with placed knots may go to
 constexpr double kInsertionReach = 3;  // tolerances from which inserted lines may still come to it
 constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the work
 
@@ -48,6 +49,19 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
            ? "; knot lines inserted where the errors are need fewer than the error model's knots"
            : "; the error model's knots held the tolerance at no size, and knot lines were inserted"));
   return better_of(std::move(result), std::move(inserted));
+}
+
+/// Whether the data alone lets far fewer control points do: seven tenths of the knots in each direction.
+bool guard_costs_much(const FitProblem& data, const RefineOptions& options, const RefineResult& guarded) {
+  const auto thinned = [](const std::vector<double>& knots) {
+    std::vector<double> fewer;
+    for (std::size_t i = 0; i < knots.size(); ++i)
+      if (i * 7 / 10 != (i + 1) * 7 / 10) fewer.push_back(knots[i]);
+    return fewer;
+  };
+  FitProblem plain(data.points(), options.degree_u, options.degree_v, search_fits(options));
+  return plain.solve({thinned(guarded.knots.u), thinned(guarded.knots.v)}) &&
+         plain.measured(options.tolerance) <= options.tolerance.value;
 }
 
 }  // namespace
@@ -117,14 +131,52 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     result.fill_points = guard->fill_count();
     result.least_squares = false;  // not of the data alone
   }
-  // The other route, where this one found nothing: it may, and the better of both is the best.
-  if (!inserted && !result.holds && options.max_fits == 0 &&
-      result.error <= kInsertionReach * options.tolerance.value && can_optimise_insertion(data.points()) &&
-      !attempts.stopped())
-    inserted = insert_isolines(data, options, after(result, attempts.time_left()));
-  if (!inserted) return result;
-  inserted->method = options.method;
-  return better_of(std::move(result), std::move(*inserted));
+  const bool near = result.error <= kInsertionReach * options.tolerance.value;
+  // Where the data is sparse, its own reference may be wrong, and points that join by it in the way.
+  if (guard && options.max_fits == 0 && can_optimise_insertion(data.points()) && !attempts.stopped() &&
+      (result.holds ? guard_costs_much(data, options, result) : near)) {
+    RefineOptions free = options;
+    free.guard = false;
+    if (result.holds) free.max_control_points = result.surface.control_point_count();
+    RefineResult unguarded = search_optimal(data, free, after(result, attempts.time_left()));
+    if (unguarded.holds) {
+      unguarded.notes.push_back(
+          "points that stand so sparsely that nothing certain can be said between them were held there by "
+          "the energy "
+          "alone");
+      return better_of(std::move(result), std::move(unguarded));
+    }
+  }
+  // The other route, where this one found nothing, or found what it did past sizes that swing.
+  if (!inserted && (result.holds ? attempts.any_refused() : near) && options.max_fits == 0 &&
+      can_optimise_insertion(data.points()) && !attempts.stopped()) {
+    RefineOptions fewer = options;
+    if (result.holds) fewer.max_control_points = result.surface.control_point_count();
+    inserted = insert_isolines(data, fewer, after(result, attempts.time_left()));
+  }
+  if (inserted) {
+    inserted->method = options.method;
+    result = better_of(std::move(result), std::move(*inserted));
+  }
+  // Placed knots begin without the energy, which sparse data inside dense data makes too stiff.
+  if (result.holds || options.max_fits > 0 || !can_optimise_insertion(data.points()) || attempts.stopped())
+    return result;
+  RefineOptions placed = options;
+  placed.method = "error-model";
+  const Index most = std::max(kPlacedLeast, 2 * result.surface.control_point_count());
+  placed.max_control_points =
+      options.max_control_points > 0 ? std::min(options.max_control_points, most) : most;
+  const Status searched = result.status;
+  RefineResult other = search_placed(data, placed, after(result, attempts.time_left()));
+  other.method = placed.method;
+  if (other.holds)
+    other.notes.push_back(
+        "optimised knots found no surface that keeps to the data; the knots come from the error model");
+  const bool holds = other.holds;
+  result = better_of(std::move(result), std::move(other));
+  if (!holds && result.status != Status::stopped && result.status != Status::time_limit)
+    result.status = searched;
+  return result;
 }
 
 }  // namespace knotfit

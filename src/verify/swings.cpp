@@ -197,7 +197,7 @@ void SwingSites::excuse(const Sites& sites, const std::vector<double>& at, const
           const Index i = far[k];
           const ReferenceValue reference = reference_value(gatherer, sites.uv[2 * i], sites.uv[2 * i + 1], 0);
           const double local = sites.local(i, errors, tolerance);
-          if (!(reference.error_bar <= local)) continue;  // at a cliff the reference overshoots, too
+          if (!(reference.error_bar <= kCountedSwing * local)) continue;  // at a cliff it overshoots, too
           if (distance({at.data() + i * d, static_cast<std::size_t>(d)}, reference.value) <=
               kCountedSwing * local)
             ratio[i] = 0;
@@ -285,7 +285,7 @@ bool SwingSites::measure_box(SwingReport& report, const Surface& surface, double
     double most = 0;
     for (int e = 0; e < d; ++e) {
       const double x = there[i * d + e], low = about.low[i * d + e], high = about.high[i * d + e],
-                   free = about.widening[i] * (high - low);
+                   free = std::min(about.widening[i] * (high - low), kMostOnward * diagonal_);
       const double excess = std::max(low_[e] - x, x - high_[e]);
       if (!std::isfinite(x) || (std::isfinite(free) && excess > free))
         most = std::max(most, std::isfinite(x) ? excess - free : INFINITY);
