@@ -156,18 +156,39 @@ std::vector<double> residuals_of_every_point(const FitResult& result, const FitI
   return recheck_errors(result.surface, input.all_points);
 }
 
-// Points that no triangle has have no parameters: their distances to the surface join the errors of the others.
+// Points that no triangle has have no parameters: their feet on the surface stand for them.
+void find_loose_feet(FitInput& input, const Surface& surface) {
+  if (!input.mesh || input.mesh->loose.empty() || surface.empty()) return;
+  ClosestPoints closest = closest_points(surface, input.mesh->loose);
+  input.mesh->loose_uv = std::move(closest.uv);
+  input.mesh->loose_distance = std::move(closest.distances);
+}
+
 std::vector<double> errors_of_all(const FitResult& result, const FitInput& input) {
   std::vector<double> errors = residuals_of_every_point(result, input);
-  if (!input.mesh || input.mesh->loose.empty() || result.surface.empty()) return errors;
-  const ClosestPoints closest = closest_points(result.surface, input.mesh->loose);
-  errors.insert(errors.end(), closest.distances.begin(), closest.distances.end());
+  if (input.mesh)
+    errors.insert(errors.end(), input.mesh->loose_distance.begin(), input.mesh->loose_distance.end());
   return errors;
+}
+
+// All of them, with those that no triangle has.
+ParameterizedPoints points_of_all(const FitInput& input) {
+  ParameterizedPoints all = input.every_point();
+  if (!input.mesh || input.mesh->loose_uv.empty() || all.dimension != 3) return all;
+  const auto count = static_cast<Index>(input.mesh->loose_distance.size());
+  for (Index k = 0; k < count; ++k) {
+    const auto [a, b] = std::pair{input.mesh->loose_uv[2 * k], input.mesh->loose_uv[2 * k + 1]};
+    all.uv.insert(all.uv.end(), {a, b});
+    all.values.insert(all.values.end(), &input.mesh->loose[3 * k], &input.mesh->loose[3 * k] + 3);
+    if (!all.weights.empty()) all.weights.push_back(1);
+    if (!all.source.empty()) all.source.push_back(0);
+  }
+  return all;
 }
 
 // Corrected parameters, the distance, the same signed by the normal, the error at the parameters, and where on the surface
 // the distance is.
-Table corrected_residuals(const MeshFit& fit) {
+Table corrected_residuals(const MeshFit& fit, const MappedMesh& mapped) {
   std::vector<double> columns[10];
   const std::vector<double> at_parameters = recheck_errors(fit.result.surface, fit.points);
   for (Index k = 0; k < fit.points.size(); ++k) {
@@ -178,6 +199,15 @@ Table corrected_residuals(const MeshFit& fit) {
     columns[6].push_back(fit.signed_distances[k]);
     columns[7].push_back(at_parameters[k]);
     for (int c = 0; c < 2; ++c) columns[8 + c].push_back(fit.foot_uv[2 * k + c]);
+  }
+  for (std::size_t k = 0; k < mapped.loose_distance.size();
+       ++k) {  // points that no triangle has, at their feet
+    for (int c = 0; c < 3; ++c) columns[c].push_back(mapped.loose[3 * k + c]);
+    for (int c = 5; c < 8; ++c) columns[c].push_back(mapped.loose_distance[k]);
+    for (int c = 0; c < 2; ++c) {
+      columns[3 + c].push_back(mapped.loose_uv[2 * k + c]);
+      columns[8 + c].push_back(mapped.loose_uv[2 * k + c]);
+    }
   }
   Table table;
   const char* names[] = {"x",      "y",     "z", "u", "v", "error", "distance", "error_at_parameters",
@@ -205,10 +235,11 @@ class FitWriter {
                                         .result = stored_result(report_)}));
       case OutputKind::table: {
         if (report_.corrected != nullptr)
-          return write_text_file(file.path, force_, to_csv(corrected_residuals(*report_.corrected)));
-        const std::vector<double> errors = residuals_of_every_point(result, input);
+          return write_text_file(file.path, force_,
+                                 to_csv(corrected_residuals(*report_.corrected, *input.mesh)));
+        const std::vector<double> errors = errors_of_all(result, input);
         return write_file(file.path, force_,
-                          [&](std::ostream& out) { write_residuals(out, input.every_point(), errors); });
+                          [&](std::ostream& out) { write_residuals(out, points_of_all(input), errors); });
       }
       case OutputKind::raster:
         return write_raster_file(file.path, force_,
@@ -356,6 +387,7 @@ int run_fit(const FitArguments& arguments) {
     } else {
       result = fit_surface(input.points, fit_options(choices, input), control);
     }
+    find_loose_feet(input, result.surface);
     judge_all_points(result, errors_of_all(result, input));
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(arguments.input) + ": " + e.what());

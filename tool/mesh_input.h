@@ -22,6 +22,7 @@ struct MappedMesh {
   /// Where the input was no mesh but points: what they were laid over. Its mesh and map are those above.
   std::optional<CloudMap> cloud = {};
   std::vector<double> loose = {};  ///< points that no triangle of the data has, n x 3: left out
+  std::vector<double> loose_uv = {}, loose_distance = {};  ///< their feet on the surface, once it is there
   std::vector<Opening> openings =
       {};  ///< of the data, closed by virtual faces; shares at the map's parameters
 };

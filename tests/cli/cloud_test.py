@@ -223,6 +223,12 @@ class Rows(CloudTest):
         self.assertGreater(report["measured"], 2.5)
         self.assertLess(report["error"]["max"], 0.05)  # of the points fitted
         self.assertRegex(report["message"], r"1 points? of the input .*merged or left out.* farthest is [23]\.\d+ off")
+        # The table has it too, at its foot, so that whoever reads the table finds the same.
+        self.run_tool(*ask, "-o", "errors.csv", status=3)
+        table = self.read_csv((self.folder / "errors.csv").read_text())
+        self.assertEqual(len(table), len(rows) + 1)
+        self.assertEqual(tuple(table[-1][n] for n in "xyz"), lone)
+        self.assertAlmostEqual(max(line["error"] for line in table), report["measured"], places=12)
         # A percentile has room for it.
         self.assertEqual(self.run_json(*ask, "--within", "99%")["status"], "reached")
 
