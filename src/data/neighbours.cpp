@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
+#include <utility>
 
 #include "base/parallel.h"
 namespace knotfit {
@@ -25,26 +26,41 @@ struct Cloud {
 using Tree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 2, std::uint32_t>;
 
-// The k nearest so far, with the strip's offset added to each index.
+// The k nearest so far, with the strip's offset added to each index: few in order, many as a heap whose top is the farthest.
 class Nearest {
  public:
   using DistanceType = double;
-  Nearest(std::span<std::uint32_t> index, std::span<double> squared) : index_(index), squared_(squared) {}
-  std::size_t size() const { return count_; }
-  bool full() const { return count_ == index_.size(); }
-  double worstDist() const { return full() ? squared_[count_ - 1] : INFINITY; }
+  Nearest(std::span<std::uint32_t> index, std::span<double> squared)
+      : index_(index), squared_(squared), many_(index.size() > kMany) {}
+  std::size_t size() const { return many_ ? heap_.size() : count_; }
+  bool full() const { return size() == index_.size(); }
+  double worstDist() const { return !full() ? INFINITY : many_ ? heap_.front().first : squared_[count_ - 1]; }
   void set_offset(Index offset) { offset_ = static_cast<std::uint32_t>(offset); }
   bool addPoint(double squared, std::uint32_t index) {
     if (!(squared < worstDist())) return true;
+    if (many_) {
+      if (full()) std::pop_heap(heap_.begin(), heap_.end()), heap_.pop_back();
+      heap_.emplace_back(squared, index + offset_);
+      std::push_heap(heap_.begin(), heap_.end());
+      return true;
+    }
     std::size_t i = full() ? count_ - 1 : count_++;
     for (; i > 0 && squared_[i - 1] > squared; --i) squared_[i] = squared_[i - 1], index_[i] = index_[i - 1];
     squared_[i] = squared, index_[i] = index + offset_;
     return true;
   }
+  /// Nearest first in the spans, once all are found.
+  void finish() {
+    std::sort_heap(heap_.begin(), heap_.end());
+    for (std::size_t i = 0; i < heap_.size(); ++i) squared_[i] = heap_[i].first, index_[i] = heap_[i].second;
+  }
 
  private:
+  static constexpr std::size_t kMany = 128;  // from where shifting costs more than a heap
   std::span<std::uint32_t> index_;
   std::span<double> squared_;
+  bool many_;
+  std::vector<std::pair<double, std::uint32_t>> heap_;
   std::size_t count_ = 0;
   std::uint32_t offset_ = 0;
 };
@@ -95,6 +111,7 @@ Index Neighbours::nearest(double x, double y, std::span<std::uint32_t> index,
   while (home + 1 < strips && strips_[home + 1]->low <= x) ++home;
   for (Index s = home; s < strips && search(*strips_[s]);) ++s;
   for (Index s = home - 1; s >= 0 && search(*strips_[s]);) --s;
+  found.finish();
   return static_cast<Index>(found.size());
 }
 

@@ -44,6 +44,12 @@ TEST(Neighbours, AreThoseOfABruteForceSearch) {
   for (Index n : {1, 10, 79, 3000, 70000}) expect_nearest(test::synthetic_points("franke", n), 80);
 }
 
+// From 129 on they are kept in a heap.
+TEST(Neighbours, ManyAreFoundInAnotherWay) {
+  for (Index n : {100, 129, 3000, 70000})
+    for (std::size_t k : {128, 129, 700}) expect_nearest(test::synthetic_points("franke", n), k);
+}
+
 TEST(Neighbours, OfGridsRowsAndClustersToo) {
   ParameterizedPoints grid, rows, cluster = test::synthetic_points("franke", 40000);
   for (int i = 0; i <= 200; ++i)
