@@ -105,7 +105,8 @@ RefineResult search_placed(FitProblem& data, const RefineOptions& options, const
   if (!result.swings && !begun_anew) return result;
   if (control.stop.stop_requested() || out_of_time(control, start)) return result;
   RefineResult held = search_with(data, options, time_left(after(result, control), start));
-  if (result.status == Status::not_reached) result.status = held.status;  // it was broken off, and says nothing
+  if (result.status == Status::not_reached)
+    result.status = held.status;  // it was broken off, and says nothing
   return better_of(std::move(held), std::move(result));
 }
 
