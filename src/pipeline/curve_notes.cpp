@@ -76,7 +76,7 @@ std::string swing_note(const CurveFitResult& fit, const CurvePoints& points) {
                         s.largest > verify::kCountedSwing ? ", and" : ":", place(s.box_u), s.beyond_box);
   return note + (points.function
                      ? "; more data there, a smoother curve (--smoothing) or a larger tolerance help"
-                     : "; parameters that fit the points better (--correct), more data there, a "
+                     : "; parameters that fit the points better (--corrected), more data there, a "
                        "smoother curve (--smoothing) or a larger tolerance help");
 }
 
