@@ -1,8 +1,8 @@
 #include "input.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "applicable_options.h"
 #include "cloud_input.h"
@@ -43,12 +43,12 @@ bool wants_base(const FitChoices& choices) {
 
 /// Points of the cloud that are not among those mapped.
 template <class Place>
-std::vector<double> left_out_of(Index count, const std::vector<Index>& line, const std::vector<Index>& kept,
+std::vector<double> left_out_of(Index count, const std::vector<Index>& line, std::vector<Index> kept,
                                 const Place& place) {
-  const std::set<Index> mapped(kept.begin(), kept.end());
+  std::sort(kept.begin(), kept.end());
   std::vector<double> out;
   for (Index k = 0; k < count; ++k)
-    if (!mapped.contains(line.empty() ? k + 1 : line[k])) {
+    if (!std::binary_search(kept.begin(), kept.end(), line.empty() ? k + 1 : line[k])) {
       const std::array<double, 3> p = place(k);
       out.insert(out.end(), p.begin(), p.end());
     }

@@ -100,7 +100,8 @@ struct RefineResult {
 
 /// The scale of make_data_energy() for a tolerance: three times one in root mean square, else itself.
 double energy_scale(const Tolerance& tolerance);
-/// The energy for a surface that misses the tolerance: its scale is that surface's error, but at least the tolerance's.
+/// The energy for a surface that misses the tolerance: its scale is that surface's error, but at least the tolerance's
+/// [METHOD 5.1]. \param error  >= 0, in the points' unit \throws InvalidInput  as make_data_energy()
 std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, const Tolerance& tolerance,
                                              double error);
 

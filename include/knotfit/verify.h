@@ -80,8 +80,12 @@ SwingReport measure_swings(const Surface& surface, const ParameterizedPoints& po
 
 /// Of a curve: boxes of the 4 nearest points and the gap's ends, errors of the 2 nearest, in gaps of at most three times the
 /// distance to the second neighbour. A crest that the polynomials through its neighbours confirm is none.
-/// \param curve   over [0,1]
-/// \param points  their parameters on it
+/// [METHOD 9.5]
+/// \param curve      over [0,1]
+/// \param points     n, their parameters on it
+/// \param errors     n, |C(t_k) - P_k|
+/// \param tolerance  > 0, absolute
+/// \throws InvalidInput  points invalid, a curve or errors that do not belong to them, a tolerance that is not positive and finite
 SwingReport measure_swings(const Curve& curve, const CurvePoints& points, const std::vector<double>& errors,
                            double tolerance);
 
@@ -89,7 +93,7 @@ SwingReport measure_swings(const Curve& curve, const CurvePoints& points, const 
 /// local stencils (median) [METHOD 5.3]; 0 where there are too few points to tell.
 double estimate_noise(const ParameterizedPoints& points, unsigned long long seed = 1);
 /// Of a curve: from what every point is off the cubic through its four neighbours (median); interpolation's own error where
-/// the data has no noise. 0 below 8 distinct parameters.
+/// the data has no noise [METHOD 9.4]. 0 below 8 distinct parameters. \throws InvalidInput  points invalid
 double estimate_noise(const CurvePoints& points);
 
 }  // namespace knotfit

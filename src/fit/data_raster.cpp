@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
 #include "data/neighbours.h"
+#include "data/parameter_groups.h"
 namespace knotfit {
 namespace {
 
@@ -141,17 +141,13 @@ struct CurvePlaces {
   std::vector<double> t, values;
 
   explicit CurvePlaces(const CurvePoints& points) : dimension(points.dimension) {
-    std::vector<Index> order(points.t.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return points.t[a] < points.t[b]; });
-    for (std::size_t i = 0; i < order.size();) {
-      const double at = points.t[order[i]];
+    const ParameterGroups groups = group_by_parameter(points.t);
+    for (Index g = 0; g < groups.size(); ++g) {
       std::vector<double> sum(dimension, 0.0);
-      double equal = 0;
-      for (; i < order.size() && points.t[order[i]] == at; ++i, ++equal)
-        for (int e = 0; e < dimension; ++e) sum[e] += points.value(order[i])[e];
-      t.push_back(at);
-      for (double x : sum) values.push_back(x / equal);
+      for (const Index k : groups.group(g))
+        for (int e = 0; e < dimension; ++e) sum[e] += points.value(k)[e];
+      t.push_back(points.t[groups.group(g).front()]);
+      for (double x : sum) values.push_back(x / static_cast<double>(groups.group(g).size()));
     }
     count = static_cast<Index>(t.size());
     if (!points.closed) return;

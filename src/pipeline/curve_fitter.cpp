@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "correct/curve_feet.h"
-#include "knotfit/evaluate.h"
 #include "knotfit/refine.h"
 #include "place/periodic.h"
 #include "place/shares.h"
@@ -39,16 +38,6 @@ Curve finished(const Curve& curve, bool closed) {
   return Curve(KnotVector(curve.degree(), std::move(clean)), d, std::move(row));
 }
 
-std::vector<double> errors_of(const Curve& curve, const CurvePoints& points, const std::vector<double>& t) {
-  const std::vector<double> at = evaluate(curve, t);
-  const int d = points.dimension;
-  std::vector<double> errors(t.size(), 0.0);
-  for (std::size_t k = 0; k < t.size(); ++k) {
-    for (int e = 0; e < d; ++e) errors[k] = std::hypot(errors[k], at[k * d + e] - points.values[k * d + e]);
-  }
-  return errors;
-}
-
 void keep_better(FittedCurve& best, FittedCurve other) {
   if (other.error < best.error) best = std::move(other);
 }
@@ -56,42 +45,33 @@ void keep_better(FittedCurve& best, FittedCurve other) {
 }  // namespace
 
 FittedCurve CurveFitter::size(Index control_points) {
-  FittedCurve plain = with_energy(control_points, nullptr);
-  judge(plain);
-  if (!plain.swings.swings || !(plain.error <= measure_.value)) return plain;
-  return held(
-      std::move(plain), [&](const Energy& energy) { return with_energy(control_points, energy); }, 0);
+  FittedCurve plain = fit(control_points, nullptr);
+  return plain.error <= measure_.value ? held(std::move(plain), control_points, 0) : plain;
 }
 
 FittedCurve CurveFitter::fixed_size(Index control_points) {
-  FittedCurve plain = with_energy(control_points, nullptr);
-  judge(plain);
+  FittedCurve plain = fit(control_points, nullptr);
   const double rms = plain.rms;
-  return held(
-      std::move(plain), [&](const Energy& energy) { return with_energy(control_points, energy); }, rms);
+  return held(std::move(plain), control_points, rms);
 }
 
 FittedCurve CurveFitter::given(const std::vector<double>& knots) {
-  FittedCurve plain = with_energy(knots, nullptr);
-  judge(plain);
+  FittedCurve plain = fit(knots, nullptr);
   const double rms = plain.rms;
-  return held(
-      std::move(plain), [&](const Energy& energy) { return with_energy(knots, energy); }, rms);
+  return held(std::move(plain), knots, rms);
 }
 
-/// The plain curve or, where it swings, one held to the data by an energy for errors of this size or the tolerance's.
-template <class Fit>
-FittedCurve CurveFitter::held(FittedCurve plain, const Fit& fit, double scale) {
+template <class Size>
+FittedCurve CurveFitter::held(FittedCurve plain, const Size& size, double scale) {
   scale = std::max(scale, energy_scale(measure_));
   if (!plain.swings.swings || stopped() || !(scale > 0)) return plain;
-  FittedCurve held = fit(std::make_shared<const DataEnergy>(strip_raster(points_, scale)));
-  judge(held);
+  FittedCurve held = fit(size, std::make_shared<const DataEnergy>(strip_raster(points_, scale)));
   if (held.empty() || (held.swings.swings && !(held.swings.largest < plain.swings.largest))) return plain;
   held.swing_before = plain.swings.largest;
   return held;
 }
 
-FittedCurve CurveFitter::with_energy(Index control_points, const Energy& energy) {
+FittedCurve CurveFitter::fit(Index control_points, const Energy& energy) {
   CurveProblem problem(points_, options_.degree, options_.smoothing, energy);
   std::vector<double> knots = place(problem, control_points, energy);
   FittedCurve best = take(problem, knots);
@@ -102,14 +82,16 @@ FittedCurve CurveFitter::with_energy(Index control_points, const Energy& energy)
     keep_better(best, take(problem, knots));
   }
   fits_ += problem.fits();
+  judge(best);
   return best;
 }
 
-FittedCurve CurveFitter::with_energy(const std::vector<double>& knots, const Energy& energy) {
+FittedCurve CurveFitter::fit(const std::vector<double>& knots, const Energy& energy) {
   CurveProblem problem(points_, options_.degree, options_.smoothing, energy);
   FittedCurve best = take(problem, knots);
   if (options_.corrections > 0 && correct(problem, knots)) keep_better(best, take(problem, knots));
   fits_ += problem.fits();
+  judge(best);
   return best;
 }
 
@@ -141,6 +123,7 @@ FittedCurve CurveFitter::take(CurveProblem& problem, const std::vector<double>& 
   const Curve& curve = problem.curve();
   fitted.control_points = points_.closed ? static_cast<Index>(knots.size()) : curve.size();
   fitted.error = problem.measured(measure_);
+  fitted.errors = problem.errors();
   fitted.rms = problem.measured({.value = 0, .measure = ErrorMeasure::rms});
   const double first = curve.knots().first();
   for (double t : problem.points().t) fitted.t.push_back(std::clamp(problem.on_curve(t) - first, 0.0, 1.0));
@@ -148,7 +131,6 @@ FittedCurve CurveFitter::take(CurveProblem& problem, const std::vector<double>& 
   return fitted;
 }
 
-/// Rounds of feet and fits at these knots. \return whether any parameter moved
 bool CurveFitter::correct(CurveProblem& problem, const std::vector<double>& knots) {
   bool moved = false;
   CurvePoints& points = problem.points();
@@ -174,9 +156,8 @@ void CurveFitter::judge(FittedCurve& fitted) const {
   points.t = fitted.t;
   if (points.closed)
     for (double& t : points.t) t -= std::floor(t);  // the period's end is its start
-  const std::vector<double> errors = errors_of(fitted.curve, points_, fitted.t);
   const double unit = measure_.value > 0 ? measure_.value : fitted.rms;
-  if (unit > 0) fitted.swings = measure_swings(fitted.curve, points, errors, unit);
+  if (unit > 0) fitted.swings = measure_swings(fitted.curve, points, fitted.errors, unit);
 }
 
 }  // namespace knotfit

@@ -13,7 +13,7 @@ struct FittedCurve {
   Index control_points = 0;                                ///< free ones
   double error = std::numeric_limits<double>::infinity();  ///< that counts, in the frame
   double rms = 0;                                          ///< in the frame
-  std::vector<double> t;                                   ///< n, on the curve
+  std::vector<double> t, errors;                           ///< n, on the curve; |C(t_k) - P_k|
   Curve curve;                                             ///< clamped, over [0,1]
   SwingReport swings;
   double swing_before =
@@ -45,12 +45,16 @@ class CurveFitter {
  private:
   using Energy = std::shared_ptr<const DataEnergy>;
   bool stopped() const { return control_.stop.stop_requested(); }
-  template <class Fit>
-  FittedCurve held(FittedCurve plain, const Fit& fit, double scale);
-  FittedCurve with_energy(Index control_points, const Energy& energy);
-  FittedCurve with_energy(const std::vector<double>& knots, const Energy& energy);
+  /// A size or knots, fitted with this energy or none, corrected and judged.
+  FittedCurve fit(Index control_points, const Energy& energy);
+  FittedCurve fit(const std::vector<double>& knots, const Energy& energy);
+  /// The plain curve or, where it swings, one of the same size or knots held to the data by an energy for errors of this scale,
+  /// at least the tolerance's.
+  template <class Size>
+  FittedCurve held(FittedCurve plain, const Size& size, double scale);
   std::vector<double> place(CurveProblem& problem, Index control_points, const Energy& energy);
   FittedCurve take(CurveProblem& problem, const std::vector<double>& knots);
+  /// Rounds of feet and fits at these knots. \return whether any parameter moved
   bool correct(CurveProblem& problem, const std::vector<double>& knots);
   void judge(FittedCurve& fitted) const;
 

@@ -1,25 +1,23 @@
 #include "place/strip.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "data/parameter_groups.h"
 namespace knotfit {
 
 ParameterizedPoints strip_of(const CurvePoints& points) {
-  std::vector<Index> order(points.t.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return points.t[a] < points.t[b]; });
+  const ParameterGroups groups = group_by_parameter(points.t);
   const int d = points.dimension, extra = d > 1 ? 1 : 0;
   std::vector<double> t, values, weights;
-  for (std::size_t i = 0; i < order.size();) {
-    const double at = points.t[order[i]];
+  for (Index g = 0; g < groups.size(); ++g) {
     double weight = 0;
     std::vector<double> sum(d, 0.0);
-    for (; i < order.size() && points.t[order[i]] == at; ++i) {
-      const double w = points.weight(order[i]);
+    for (const Index k : groups.group(g)) {
+      const double w = points.weight(k);
       weight += w;
-      for (int e = 0; e < d; ++e) sum[e] += w * points.value(order[i])[e];
+      for (int e = 0; e < d; ++e) sum[e] += w * points.value(k)[e];
     }
-    t.push_back(at);
+    t.push_back(points.t[groups.group(g).front()]);
     weights.push_back(weight);
     for (double x : sum) values.push_back(x / weight);
   }

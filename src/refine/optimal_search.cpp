@@ -131,6 +131,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     result.fill_points = guard->fill_count();
     result.least_squares = false;  // not of the data alone
   }
+  bool placed_tried = false;  // by the search without the guard
   const bool near = result.error <= kInsertionReach * options.tolerance.value;
   // Where the data is sparse, its own reference may be wrong, and points that join by it in the way.
   if (guard && options.max_fits == 0 && can_optimise_insertion(data.points()) && !attempts.stopped() &&
@@ -141,11 +142,11 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     RefineResult unguarded = search_optimal(data, free, after(result, attempts.time_left()));
     if (unguarded.holds) {
       unguarded.notes.push_back(
-          "points that stand so sparsely that nothing certain can be said between them were held there by "
-          "the energy "
-          "alone");
+          "where points stand so sparsely that nothing certain can be said between them, the energy alone "
+          "holds the surface");
       return better_of(std::move(result), std::move(unguarded));
     }
+    placed_tried = !result.holds;
   }
   // The other route, where this one found nothing, or found what it did past sizes that swing.
   if (!inserted && (result.holds ? attempts.any_refused() : near) && options.max_fits == 0 &&
@@ -159,7 +160,8 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     result = better_of(std::move(result), std::move(*inserted));
   }
   // Placed knots begin without the energy, which sparse data inside dense data makes too stiff.
-  if (result.holds || options.max_fits > 0 || !can_optimise_insertion(data.points()) || attempts.stopped())
+  if (result.holds || placed_tried || options.max_fits > 0 || !can_optimise_insertion(data.points()) ||
+      attempts.stopped())
     return result;
   RefineOptions placed = options;
   placed.method = "error-model";

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
+#include "data/parameter_groups.h"
 #include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/verify.h"
@@ -35,19 +35,16 @@ constexpr std::array<double, 5> kInPiece = {0.1, 0.3, 0.5, 0.7, 0.9};
 class Stations {
  public:
   Stations(const CurvePoints& points, const std::vector<double>& errors) : dimension_(points.dimension) {
-    std::vector<Index> order(points.t.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return points.t[a] < points.t[b]; });
-    for (std::size_t i = 0; i < order.size();) {
-      t_.push_back(points.t[order[i]]);
+    const ParameterGroups groups = group_by_parameter(points.t);
+    low_.assign(groups.size() * dimension_, INFINITY), high_.assign(groups.size() * dimension_, -INFINITY);
+    for (Index g = 0; g < groups.size(); ++g) {
+      t_.push_back(points.t[groups.group(g).front()]);
       error_.push_back(0);
-      const std::size_t at = low_.size();
-      low_.resize(at + dimension_, INFINITY), high_.resize(at + dimension_, -INFINITY);
-      for (; i < order.size() && points.t[order[i]] == t_.back(); ++i) {
-        error_.back() = std::max(error_.back(), errors[order[i]]);
+      for (const Index k : groups.group(g)) {
+        error_.back() = std::max(error_.back(), errors[k]);
         for (int e = 0; e < dimension_; ++e) {
-          low_[at + e] = std::min(low_[at + e], points.value(order[i])[e]);
-          high_[at + e] = std::max(high_[at + e], points.value(order[i])[e]);
+          low_[g * dimension_ + e] = std::min(low_[g * dimension_ + e], points.value(k)[e]);
+          high_[g * dimension_ + e] = std::max(high_[g * dimension_ + e], points.value(k)[e]);
         }
       }
     }

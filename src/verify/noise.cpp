@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 #include "base/median.h"
 #include "base/parallel.h"
+#include "data/parameter_groups.h"
 #include "knotfit/verify.h"
 #include "verify/local_reference.h"
 #include "verify/random.h"
@@ -43,13 +42,10 @@ double estimate_noise(const CurvePoints& points) {
   validate(points);
   constexpr Index kLeast = 8;
   constexpr double kNormal = 0.6745;  // median of |x| of a normal distribution of deviation 1
-  std::vector<Index> order(points.t.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return points.t[a] < points.t[b]; });
-  std::erase_if(order, [&, last = -1.0](Index k) mutable {  // the first of equal parameters
-    return std::exchange(last, points.t[k]) == points.t[k];
-  });
-  const Index n = static_cast<Index>(order.size());
+  const ParameterGroups groups = group_by_parameter(points.t);
+  std::vector<Index> order;  // the first of equal parameters
+  for (Index g = 0; g < groups.size(); ++g) order.push_back(groups.group(g).front());
+  const Index n = groups.size();
   if (n < kLeast) return 0;
   std::vector<double> off;
   for (Index k = 2; k + 2 < n; ++k) {
