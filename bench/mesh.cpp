@@ -54,7 +54,7 @@ void rounds(benchmark::State& state, bool measured) {
   const Control control;
   for (auto _ : state) {
     correction::Rounds r = prepared.work.run(prepared.work.first(), knots, knots, prepared.work.options(),
-                                             correction::Watch(control, "correction"));
+                                             Stage(control, "correction"));
     if (measured) benchmark::DoNotOptimize(prepared.work.finish(std::move(r), true, control));
   }
 }

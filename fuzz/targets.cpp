@@ -7,7 +7,7 @@
 #include "formats/file_bytes.h"
 #include "formats/readers.h"
 #include "knotfit/curve_io.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "knotfit/mesh.h"
 namespace knotfit::fuzz {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/mesh_parameters.h"
 #include "standard_streams.h"
 #include "surface_file.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit::tool {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "input.h"
 #include "knotfit/base_surface.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "parameterize/table_checks.h"
 #include "surface_file.h"
 #include "text_values.h"

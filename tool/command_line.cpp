@@ -4,7 +4,7 @@
 
 #include "command_line_options.h"
 #include "help_text.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "text_values.h"
 namespace knotfit::tool {
 

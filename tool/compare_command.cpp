@@ -4,7 +4,7 @@
 #include "compare_report.h"
 #include "exit_status.h"
 #include "feature_file.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/threads.h"
 #include "options_json.h"
 #include "outputs.h"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "knotfit/comparison_picture.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "knotfit/version.h"
 #include "outputs.h"

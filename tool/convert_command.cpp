@@ -9,7 +9,7 @@
 #include "data_conversion.h"
 #include "exit_status.h"
 #include "input.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "mesh_outputs.h"
 #include "outputs.h"

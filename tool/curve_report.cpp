@@ -10,7 +10,7 @@
 
 #include "knotfit/curve_io.h"
 #include "knotfit/curve_picture.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/version.h"
 #include "standard_streams.h"
 #include "text_values.h"

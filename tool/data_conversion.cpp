@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "input.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::tool {
 namespace {
 

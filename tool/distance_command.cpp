@@ -11,7 +11,7 @@
 #include "exit_status.h"
 #include "input.h"
 #include "knotfit/distance.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "knotfit/threads.h"
 #include "outputs.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "input.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit::tool {
 namespace {

@@ -12,7 +12,7 @@
 #include "feature_file.h"
 #include "fit_report.h"
 #include "knotfit/closest_point.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/fit_sheared.h"
 #include "knotfit/fit_surface.h"
 #include "knotfit/grid_support.h"

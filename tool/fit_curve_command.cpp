@@ -9,7 +9,7 @@
 #include "feature_file.h"
 #include "input.h"
 #include "knotfit/compare.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "knotfit/parameterize_curve.h"
 #include "knotfit/threads.h"

@@ -10,7 +10,7 @@
 #include "commands.h"
 #include "exit_status.h"
 #include "input.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "knotfit/mesh_parameters.h"
 #include "outputs.h"

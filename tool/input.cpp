@@ -8,7 +8,7 @@
 #include "cloud_input.h"
 #include "data/strays.h"
 #include "formats/readers.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "parameterize/table_checks.h"
 #include "standard_streams.h"

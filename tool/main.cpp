@@ -8,7 +8,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "exit_status.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "outputs.h"
 namespace {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "data/mesh_topology.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/mesh_parameters.h"
 #include "text_values.h"
 #include "welding.h"

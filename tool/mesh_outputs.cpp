@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "knotfit/mesh_io.h"
 namespace knotfit::tool {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/fit_surface.h"
 #include "knotfit/knot_vector.h"
 #include "mesh_outputs.h"

@@ -13,8 +13,8 @@
 
 #include "exit_status.h"
 #include "knotfit/cad.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {

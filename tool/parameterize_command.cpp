@@ -7,7 +7,7 @@
 #include "commands.h"
 #include "exit_status.h"
 #include "input.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/map_picture.h"
 #include "knotfit/threads.h"
 #include "mesh_input.h"

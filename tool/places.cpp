@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "input.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "places_file.h"
 namespace knotfit::tool {
 namespace {

@@ -9,7 +9,7 @@
 #include "formats/file_bytes.h"
 #include "formats/number.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {

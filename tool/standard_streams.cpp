@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::tool {
 namespace {
 

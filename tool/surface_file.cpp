@@ -7,7 +7,7 @@
 
 #include "formats/json_document.h"
 #include "knotfit/cad.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {

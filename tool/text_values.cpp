@@ -11,7 +11,7 @@
 
 #include "formats/columns.h"
 #include "formats/missing.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit::tool {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/mesh_parameters.h"
 #include "knotfit/weld_mesh.h"
 #include "text_values.h"

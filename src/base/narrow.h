@@ -2,7 +2,7 @@
 #pragma once
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/index.h"
 namespace knotfit {
 inline int narrow(Index value) {

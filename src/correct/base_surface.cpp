@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "knotfit/closest_point.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/fit_least_squares.h"
 #include "parameterize/cloud_triangulation.h"
 #include "parameterize/row_parameters.h"

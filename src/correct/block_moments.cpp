@@ -1,7 +1,7 @@
 #include "correct/block_moments.h"
 
 #include "base/clones.h"
-#include "fit/axis.h"
+#include "solve/axis.h"
 
 namespace knotfit::correction {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "correct/work.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 
@@ -26,8 +26,8 @@ CorrectionResult correct_parameters(const Mesh& mesh, const std::vector<double>&
   CorrectionOptions options = work.options();
   if (options.start) options.start = work.frame().inside(*options.start);
   options.keep_by.value /= work.frame().diagonal;
-  const correction::Watch watch(control, "correction");
-  return work.finish(work.run(uv, knots_u, knots_v, options, watch), !options.start, control);
+  const Stage stage(control, "correction");
+  return work.finish(work.run(uv, knots_u, knots_v, options, stage), !options.start, control);
 }
 
 CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const KnotVector& knots_u,

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "correct/foot_points.h"
+#include "nearest/foot_points.h"
 namespace knotfit::correction {
 
 /// The rounds keep the triangles of the holding mesh, whose edges are chains; those of the mesh itself have

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "correct/foot_points.h"
-#include "correct/map_samples.h"
 #include "knotfit/mesh.h"
+#include "nearest/foot_points.h"
+#include "nearest/map_samples.h"
 namespace knotfit::correction {
 
 struct HoldingMesh {

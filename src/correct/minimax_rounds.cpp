@@ -29,7 +29,7 @@ double phi_of(const std::vector<double>& q, double power) {
 
 bool minimax_rounds(
     Batch& batch, Surface surface, const CorrectionOptions& options, std::vector<double>& hinge_weights,
-    const Watch& watch,
+    const Stage& stage,
     const std::function<bool(const CorrectionRound&, const Verdict&, const Surface&)>& visit) {
   const bool capped = options.keep_by.measure == ErrorMeasure::percentile;
   Verdict verdict = batch.judge(CellPolynomials(surface));
@@ -37,7 +37,7 @@ bool minimax_rounds(
   std::size_t at = 0;
   int small = 0;
   for (int round = 0; round < options.minimax_rounds && at < std::size(kPowers); ++round) {
-    if (watch.report(static_cast<double>(round) / options.minimax_rounds, verdict.rms)) return false;
+    if (stage.report(static_cast<double>(round) / options.minimax_rounds, verdict.rms)) return false;
     const double power = kPowers[at], scale = verdict.error;
     if (!(scale > 0)) break;
     const CellPolynomials now(surface);

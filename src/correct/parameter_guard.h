@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "correct/foot_points.h"
+#include "nearest/foot_points.h"
 namespace knotfit::correction {
 
 class ParameterGuard {

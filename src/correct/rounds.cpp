@@ -22,7 +22,7 @@ double fairness_after(double share_of_rounds) {
 }  // namespace
 
 Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector& knots_v,
-                  const CorrectionOptions& options, const Watch& watch, bool keep_start) {
+                  const CorrectionOptions& options, const Stage& stage, bool keep_start) {
   const SpanTable u(knots_u), v(knots_v);
   const TangentSystem system(knots_u, knots_v, options.aspect);
   Rounds result;
@@ -63,7 +63,7 @@ Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector&
     }
     int bad = 0;
     for (int round = 0; round < rounds && !enough(); ++round) {
-      if (watch.report(static_cast<double>(done + round) / options.rounds, result.rounds[result.best].rms)) {
+      if (stage.report(static_cast<double>(done + round) / options.rounds, result.rounds[result.best].rms)) {
         result.stopped = true;
         return result;
       }
@@ -132,7 +132,7 @@ Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector&
     Batch batch(mesh, system, u, v, options);
     batch.begin_round();
     result.stopped =
-        !minimax_rounds(batch, *last, options, hinge_weights, watch,
+        !minimax_rounds(batch, *last, options, hinge_weights, stage,
                         [&](const CorrectionRound& record, const Verdict& verdict, const Surface& s) {
                           result.rounds.push_back(record);
                           keep(verdict, s);

@@ -2,9 +2,9 @@
 #pragma once
 #include <cmath>
 
+#include "base/stage.h"
 #include "correct/holding_mesh.h"
 #include "correct/merit.h"
-#include "correct/watch.h"
 #include "fit/knot_jacobian.h"
 #include "knotfit/correct.h"
 namespace knotfit::correction {
@@ -23,7 +23,7 @@ struct Rounds {
 /// \param options     checked; start and keep_by in the frame
 /// \param keep_start  the best may be what the rounds began with
 Rounds run_rounds(HoldingMesh mesh, const KnotVector& knots_u, const KnotVector& knots_v,
-                  const CorrectionOptions& options, const Watch& watch, bool keep_start = true);
+                  const CorrectionOptions& options, const Stage& stage, bool keep_start = true);
 
 /// How the sum of the last step changes with the knots, at these parameters.
 /// \param surface  over its knots, in the frame

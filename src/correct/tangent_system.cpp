@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "correct/block_moments.h"
-#include "fit/spans_in_turn.h"
 #include "knotfit/basis.h"
+#include "solve/spans_in_turn.h"
 namespace knotfit::correction {
 namespace {
 

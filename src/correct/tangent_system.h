@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "correct/vec3.h"
-#include "fit/axis.h"
-#include "fit/banded.h"
+#include "base/vec3.h"
 #include "fit/knot_jacobian.h"
 #include "knotfit/surface.h"
+#include "solve/axis.h"
+#include "solve/banded.h"
 namespace knotfit::correction {
 
 /// A symmetric 3 x 3 matrix.

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "correct/final_parameters.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::correction {
 namespace {
 
@@ -136,10 +136,10 @@ CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const C
 }
 
 Rounds CorrectionWork::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
-                           const CorrectionOptions& options, const Watch& watch, bool keep_start) const {
+                           const CorrectionOptions& options, const Stage& stage, bool keep_start) const {
   HoldingMesh mesh = holding_;
   mesh.uv = std::move(uv);
-  return run_rounds(std::move(mesh), knots_u, knots_v, options, watch, keep_start);
+  return run_rounds(std::move(mesh), knots_u, knots_v, options, stage, keep_start);
 }
 
 std::optional<KnotJacobian> CorrectionWork::knots(std::vector<double> uv, const Surface& surface) const {

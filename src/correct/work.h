@@ -31,7 +31,7 @@ class CorrectionWork {
   /// \param uv       of the mesh's vertices, to begin with
   /// \param options  in the frame: start, keep_by
   Rounds run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
-             const CorrectionOptions& options, const Watch& watch, bool keep_start = true) const;
+             const CorrectionOptions& options, const Stage& stage, bool keep_start = true) const;
 
   /// Of the distances in the knots of a surface in the frame. \return nothing where they cannot be solved for
   std::optional<KnotJacobian> knots(std::vector<double> uv, const Surface& surface) const;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 void validate(const CurvePoints& points) {

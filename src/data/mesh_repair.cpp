@@ -5,7 +5,7 @@
 
 #include "data/mesh_edit.h"
 #include "data/mesh_topology.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

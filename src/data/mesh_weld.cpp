@@ -8,7 +8,7 @@
 #include "data/border_edges.h"
 #include "data/mesh_edit.h"
 #include "data/mesh_topology.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/weld_mesh.h"
 namespace knotfit {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "fit/axis.h"
 #include "knotfit/points.h"
+#include "solve/axis.h"
 namespace knotfit {
 
 struct ResidualSums {

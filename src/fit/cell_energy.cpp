@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 
-#include "fit/degrees.h"
-#include "fit/spans_in_turn.h"
+#include "solve/degrees.h"
+#include "solve/spans_in_turn.h"
 namespace knotfit {
 namespace {
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
-#include "fit/gauss_rule.h"
 #include "knotfit/basis.h"
 #include "knotfit/fit_least_squares.h"
+#include "solve/gauss_rule.h"
 namespace knotfit {
 namespace {
 

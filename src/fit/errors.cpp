@@ -1,10 +1,9 @@
-#include "knotfit/errors.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "knotfit/exceptions.h"
 #include "knotfit/fit_least_squares.h"
 #include "knotfit/tolerance.h"
 namespace knotfit {

@@ -6,7 +6,7 @@
 
 #include "fit/data_energy.h"
 #include "fit/problem.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale) {

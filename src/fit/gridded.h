@@ -2,7 +2,7 @@
 // each direction is solved on its own (exact) [METHOD 6.2].
 #pragma once
 #include "fit/backend.h"
-#include "fit/banded.h"
+#include "solve/banded.h"
 namespace knotfit {
 
 class GriddedBackend final : public FitBackend {

@@ -222,46 +222,4 @@ ResidualSums set_residuals(const CellOrder& order, const CellPiece& piece, int d
   return residuals(DynamicCounts(degree_outer, degree_inner), order, piece, counted, c, x);
 }
 
-KNOTFIT_CLONES bool factor_narrow_band(double* band, Index rows, Index bandwidth) {
-  for (Index j = 0; j < rows; ++j) {
-    double* __restrict column = band + j * (bandwidth + 1);
-    if (!(column[0] > 0)) return false;
-    column[0] = std::sqrt(column[0]);
-    const Index below = std::min(bandwidth, rows - 1 - j);
-    for (Index k = 1; k <= below; ++k) column[k] /= column[0];
-    for (Index k = 1; k <= below; ++k) {
-      const double factor = column[k];
-      double* __restrict other = band + (j + k) * (bandwidth + 1);
-      for (Index i = 0; i <= below - k; ++i) other[i] -= column[k + i] * factor;
-    }
-  }
-  return true;
-}
-
-KNOTFIT_CLONES void forward_block(const double* factor, Index rows, Index bandwidth, double* x) {
-  Index first = 0;
-  for (; first < rows; ++first) {  // rows of zeros stay zero
-    bool zero = true;
-    for (int c = 0; c < kLanes; ++c) zero = zero && x[first * kLanes + c] == 0;
-    if (!zero) break;
-  }
-  for (Index j = first; j < rows; ++j) {
-    const double* column = factor + j * (bandwidth + 1);
-    double solved[kLanes];
-    for (int c = 0; c < kLanes; ++c) x[j * kLanes + c] = solved[c] = x[j * kLanes + c] / column[0];
-    const Index below = std::min(bandwidth, rows - 1 - j);
-    for (Index k = 1; k <= below; ++k)
-      for (int c = 0; c < kLanes; ++c) x[(j + k) * kLanes + c] -= column[k] * solved[c];
-  }
-}
-
-KNOTFIT_CLONES void block_products(const double* x, const double* y, Index rows, double* products) {
-  double sum[kLanes][kLanes] = {};
-  for (Index row = 0; row < rows; ++row)
-    for (int i = 0; i < kLanes; ++i)
-      for (int j = 0; j < kLanes; ++j) sum[i][j] += x[row * kLanes + i] * y[row * kLanes + j];
-  for (int i = 0; i < kLanes; ++i)
-    for (int j = 0; j < kLanes; ++j) products[i * kLanes + j] = sum[i][j];
-}
-
 }  // namespace knotfit

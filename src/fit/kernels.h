@@ -1,8 +1,7 @@
-// The loops over points, and over rows of right-hand sides. One .cpp with a reference in tests/fit: each kernel takes one piece of one
-// cell. Legendre counts are compile-time for equal degrees 1 to 5 and run-time otherwise.
+// The loops over points. One .cpp with a reference in tests/fit: each kernel takes one piece of one cell. Legendre counts are compile-time for equal degrees 1 to 5 and run-time otherwise.
 #pragma once
 #include "fit/backend.h"
-#include "fit/cell_order.h"
+#include "solve/cell_order.h"
 namespace knotfit {
 
 /// Inner moments are padded to a multiple of 4 doubles.
@@ -24,15 +23,5 @@ void add_rhs_moments(const CellOrder& order, const CellPiece& piece, int degree_
 /// \return their sums, `max` squared
 ResidualSums set_residuals(const CellOrder& order, const CellPiece& piece, int degree_outer, int degree_inner,
                            Index counted, const double* c, double* x);
-
-/// Cholesky factor in place, lower band storage. For narrow bands: there LAPACK's dpbtrf goes column by column
-/// through calls too short to pay. \return false at a pivot that is not positive
-bool factor_narrow_band(double* band, Index rows, Index bandwidth);
-
-/// x <- L^-1 x for 8 columns side by side, x rows x 8; L in lower band storage.
-void forward_block(const double* factor, Index rows, Index bandwidth, double* x);
-
-/// products[i * 8 + j] = sum over rows of x[row * 8 + i] y[row * 8 + j].
-void block_products(const double* x, const double* y, Index rows, double* products);
 
 }  // namespace knotfit

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/banded.h"
-#include "fit/degrees.h"
-#include "fit/gauss_rule.h"
 #include "fit/kernels.h"
 #include "fit/scattered.h"
-#include "fit/spans_in_turn.h"
 #include "knotfit/basis.h"
+#include "solve/banded.h"
+#include "solve/degrees.h"
+#include "solve/gauss_rule.h"
+#include "solve/spans_in_turn.h"
 namespace knotfit {
 
 std::vector<double> knot_derivatives(const Axis& axis) {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "fit/axis.h"
+#include "solve/axis.h"
 namespace knotfit {
 
 /// d basis / d knot on every span: entry [((s * 2m + e) * w + a) * w + i] is the Legendre coefficient a

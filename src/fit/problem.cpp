@@ -6,7 +6,7 @@
 
 #include "fit/gridded.h"
 #include "fit/scattered.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degree_v,

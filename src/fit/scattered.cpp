@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "fit/cell_energy.h"
-#include "fit/degrees.h"
 #include "fit/kernels.h"
-#include "fit/smoothing.h"
-#include "fit/spans_in_turn.h"
+#include "solve/degrees.h"
+#include "solve/spans_in_turn.h"
+#include "solve/thin_plate.h"
 namespace knotfit {
 namespace {
 

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "fit/backend.h"
-#include "fit/banded.h"
-#include "fit/cell_order.h"
 #include "fit/data_energy.h"
 #include "fit/knot_jacobian.h"
+#include "solve/banded.h"
+#include "solve/cell_order.h"
 namespace knotfit {
 
 class ScatteredBackend final : public FitBackend {

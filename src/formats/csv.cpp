@@ -8,7 +8,7 @@
 #include "formats/missing.h"
 #include "formats/point_text.h"
 #include "formats/readers.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 SourceData table_of(const FileBytes& file, PointText&& points, const ReadOptions& options) {

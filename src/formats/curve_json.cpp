@@ -9,7 +9,7 @@
 #include "formats/json_document.h"
 #include "formats/number.h"
 #include "knotfit/curve_io.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/version.h"
 namespace knotfit {
 namespace {

@@ -13,7 +13,7 @@
 #include "formats/number.h"
 #include "formats/readers.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit {
 namespace {

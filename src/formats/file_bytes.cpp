@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "formats/number.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 std::string_view without_mark(std::string_view text) {

@@ -9,7 +9,7 @@
 #include "formats/mesh_builder.h"
 #include "formats/missing.h"
 #include "formats/readers.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

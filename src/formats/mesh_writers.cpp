@@ -8,7 +8,7 @@
 #include <string>
 
 #include "formats/number.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/mesh_io.h"
 namespace knotfit {
 namespace {

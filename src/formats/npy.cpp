@@ -13,7 +13,7 @@
 #include "formats/nodata.h"
 #include "formats/npy_header.h"
 #include "formats/readers.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "formats/number.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -8,7 +8,7 @@
 #include "formats/number.h"
 #include "formats/readers.h"
 #include "formats/text_numbers.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

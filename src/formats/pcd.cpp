@@ -13,7 +13,7 @@
 #include "formats/pcd_header.h"
 #include "formats/readers.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -7,7 +7,7 @@
 #include "formats/mesh_builder.h"
 #include "formats/number.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

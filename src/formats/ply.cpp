@@ -10,7 +10,7 @@
 #include "formats/ply_rows.h"
 #include "formats/readers.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

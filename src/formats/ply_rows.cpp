@@ -9,7 +9,7 @@
 #include "formats/missing.h"
 #include "formats/number.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

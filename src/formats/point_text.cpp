@@ -12,7 +12,7 @@
 #include "formats/number.h"
 #include "formats/point_line.h"
 #include "formats/text_opening.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -11,7 +11,7 @@
 #include "formats/npy_header.h"
 #include "formats/readers.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit {
 namespace {

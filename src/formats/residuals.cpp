@@ -5,7 +5,7 @@
 #include <string>
 
 #include "formats/number.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit {
 

@@ -6,7 +6,7 @@
 
 #include "formats/point_text.h"
 #include "formats/readers.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

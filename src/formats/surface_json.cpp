@@ -11,7 +11,7 @@
 #include "formats/number.h"
 #include "formats/surface_net.h"
 #include "formats/text_lines.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "knotfit/version.h"
 namespace knotfit {

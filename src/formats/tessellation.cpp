@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/mesh_io.h"
 namespace knotfit {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 std::string_view trimmed(std::string_view text) {

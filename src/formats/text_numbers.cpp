@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "formats/number.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 LineNumbers::LineNumbers(const FileBytes& file, const TextLine& line, std::string_view text, const char* what)

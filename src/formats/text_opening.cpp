@@ -13,7 +13,7 @@
 #include "formats/missing.h"
 #include "formats/number.h"
 #include "formats/point_line.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -13,7 +13,7 @@
 #include <streambuf>
 #include <system_error>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit {
 namespace {

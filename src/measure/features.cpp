@@ -8,8 +8,8 @@
 #include <queue>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

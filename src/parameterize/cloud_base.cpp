@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::cloud {
 namespace {
 

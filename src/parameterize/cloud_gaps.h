@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/mesh.h"
 #include "knotfit/openings.h"
 #include "parameterize/delaunay.h"

@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 #include "data/mesh_topology.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "parameterize/cloud_gaps.h"
 #include "parameterize/delaunay.h"
 namespace knotfit::cloud {

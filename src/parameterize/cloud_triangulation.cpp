@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "parameterize/cloud_gaps.h"
 #include "parameterize/cloud_neighbours.h"
 #include "parameterize/delaunay.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize_curve.h"
 #include "parameterize/row_parameters.h"
 namespace knotfit {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "parameterize/table_checks.h"
 namespace knotfit {

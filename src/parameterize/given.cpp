@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "parameterize/table_checks.h"
 namespace knotfit {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "parameterize/table_checks.h"
 namespace knotfit {

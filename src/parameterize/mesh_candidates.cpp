@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "data/orientation.h"
 #include "parameterize/mesh_corner_search.h"
 #include "parameterize/mesh_mean_value.h"
 #include "parameterize/mesh_newton.h"
-#include "parameterize/mesh_orientation.h"
 namespace knotfit::mesh_map {
 namespace {
 

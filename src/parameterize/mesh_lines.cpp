@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize_mesh.h"
 namespace knotfit {
 namespace {

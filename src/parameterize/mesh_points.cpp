@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize_mesh.h"
 namespace knotfit {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "knotfit/errors.h"
-#include "parameterize/mesh_orientation.h"
+#include "data/orientation.h"
+#include "knotfit/exceptions.h"
 #include "parameterize/mesh_rest.h"
 namespace knotfit {
 namespace mesh_map {

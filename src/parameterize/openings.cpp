@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/place_text.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "parameterize/cloud_base.h"
 #include "parameterize/cloud_gaps.h"
 #include "parameterize/cloud_graph.h"

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "parameterize/mesh_candidates.h"
 #include "parameterize/mesh_quality.h"
 namespace knotfit {

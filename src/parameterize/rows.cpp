@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "parameterize/row_parameters.h"
 #include "parameterize/table_checks.h"

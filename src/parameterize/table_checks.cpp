@@ -7,7 +7,7 @@
 
 #include "base/place_text.h"
 #include "data/strays.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::parameterize {
 namespace {
 

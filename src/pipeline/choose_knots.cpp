@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "fit/problem.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <tuple>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/requirements.h"
 namespace knotfit {
 namespace {

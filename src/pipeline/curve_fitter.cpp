@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "correct/curve_feet.h"
 #include "knotfit/refine.h"
+#include "nearest/curve_feet.h"
 #include "place/periodic.h"
 #include "place/shares.h"
 #include "place/strip.h"
@@ -139,7 +139,7 @@ bool CurveFitter::correct(CurveProblem& problem, const std::vector<double>& knot
     const double before = problem.phi();
     std::vector<double> feet;
     for (double t : points.t) feet.push_back(problem.on_curve(t));
-    correction::curve_feet(problem.curve(), points.closed, points.values, feet);
+    curve_feet(problem.curve(), points.closed, points.values, feet);
     for (Index k = 0; k < points.size(); ++k) {
       const double t = points.closed ? feet[k] - std::floor(feet[k]) : feet[k];
       moved |= t != points.t[k];

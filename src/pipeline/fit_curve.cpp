@@ -7,13 +7,13 @@
 #include <cmath>
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/curve_fitter.h"
 #include "pipeline/curve_notes.h"
 #include "pipeline/frame.h"
 #include "pipeline/requirements.h"
 #include "pipeline/verdict.h"
-#include "refine/attempts.h"
+#include "search/attempts.h"
 namespace knotfit {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/frame.h"
 #include "pipeline/mesh_search.h"
 #include "pipeline/message.h"

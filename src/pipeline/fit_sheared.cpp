@@ -9,7 +9,7 @@
 
 #include "data/thinned.h"
 #include "fit/problem.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/frame.h"
 namespace knotfit {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "data/crowding.h"
 #include "fit/problem.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/choose_knots.h"
 #include "pipeline/frame.h"
 #include "pipeline/message.h"

@@ -24,7 +24,7 @@ MeshRounds::MeshRounds(const correction::CorrectionWork& work, int degree_u, int
       tolerance_(tolerance),
       control_(control),
       fairness_(of_search ? 0 : work.options().fairness),
-      watch_(control_, "correction") {
+      stage_(control_, "correction") {
   if (of_search) control_.progress = nullptr;
 }
 
@@ -47,7 +47,7 @@ Rounds MeshRounds::run(const std::vector<double>& uv, const InteriorKnots& knots
                        CorrectionOptions options, bool keep_start) const {
   const KnotVector u = KnotVector::clamped(degree_u_, knots.u), v = KnotVector::clamped(degree_v_, knots.v);
   if (start) options.start = carried_over(*start, u, v);
-  Rounds r = work_.run(uv, u, v, options, watch_, keep_start);
+  Rounds r = work_.run(uv, u, v, options, stage_, keep_start);
   fits_ += static_cast<long>(r.rounds.size());
   return r;
 }
@@ -92,7 +92,7 @@ Rounds MeshRounds::with_knots_moved(Rounds base, int steps) const {
   Rounds now = run(base.uv, knots_of(*base.surface), &*base.surface, options(1, by_rms));
   double mu = 0.1;
   bool moved = false;
-  for (int step = 0; step < steps && now.surface && !watch_.over(); ++step) {
+  for (int step = 0; step < steps && now.surface && !stage_.over(); ++step) {
     const std::optional<KnotJacobian> jacobian = work_.knots(now.uv, *now.surface);
     if (!jacobian || jacobian->knots == 0) break;
     SpacingStep model(*jacobian, knots_of(*now.surface));

@@ -44,7 +44,7 @@ class MeshRounds {
   Tolerance tolerance_;
   Control control_;
   double fairness_;
-  correction::Watch watch_;
+  Stage stage_;
   mutable long fits_ = 0;
 };
 

@@ -27,7 +27,7 @@ class MeshSizes {
         options_(options),
         tolerance_(tolerance),
         control_(control),
-        watch_(control, "size search"),
+        stage_(control, "size search"),
         ways_(options.method == "uniform"       ? 0
               : options.method == "error-model" ? 1
                                                 : 2),
@@ -44,7 +44,7 @@ class MeshSizes {
     MeshSearch found;
     found.correction = verified_ ? std::move(*verified_) : work_.finish(best_.rounds, false, control_);
     found.status = control_.stop.stop_requested() ? Status::stopped
-                   : watch_.over()                ? Status::time_limit
+                   : stage_.over()                ? Status::time_limit
                                                   : status_;
     found.tried = std::move(tried_);
     found.fits = rounds_of_.fits();
@@ -70,7 +70,7 @@ class MeshSizes {
   static InteriorKnots uniform(const Spans& s) {
     return {uniform_knots(s.first - 1), uniform_knots(s.second - 1)};
   }
-  bool interrupted() const { return watch_.over() || rounds_of_.fits() >= most_rounds_; }
+  bool interrupted() const { return stage_.over() || rounds_of_.fits() >= most_rounds_; }
 
   /// On uniform knots; the same for every tolerance. \param from  a smaller size; null: from the map
   State solve(const Spans& at, const State* from) {
@@ -187,7 +187,7 @@ class MeshSizes {
   const FitOptions& options_;
   Tolerance tolerance_;
   const Control& control_;
-  correction::Watch watch_;
+  Stage stage_;
   int ways_;  ///< to move the knots
   double ratio_;
   Index most_;

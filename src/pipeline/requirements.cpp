@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "data/strays.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/frame.h"
 namespace knotfit {
 namespace {

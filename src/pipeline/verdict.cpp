@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/message.h"
 #include "verify/swing_limits.h"
 namespace knotfit {

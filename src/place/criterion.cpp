@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "place/context.h"
 #include "place/shares.h"
 namespace knotfit {

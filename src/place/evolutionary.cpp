@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "place/context.h"
 #include "place/shares.h"
 namespace knotfit {

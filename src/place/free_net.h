@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
-#include "fit/axis.h"
 #include "knotfit/interior_knots.h"
 #include "knotfit/points.h"
+#include "solve/axis.h"
 namespace knotfit {
 
 /// phi(c, U, V) = sum w |S - P|^2 at control points c that need not minimise it, with its gradient by them and by

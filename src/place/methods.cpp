@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "place/context.h"
 #ifdef KNOTFIT_WITH_NLOPT
 #include "place/evolutionary.h"

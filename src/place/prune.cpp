@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/place.h"
 #include "place/full_lspia.h"
 namespace knotfit {

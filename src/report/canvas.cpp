@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::report {
 namespace {
 

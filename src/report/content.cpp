@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::report {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "report/canvas.h"
 #include "report/content.h"
 #include "report/number_text.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "knotfit/comparison_picture.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "report/canvas.h"
 #include "report/compose.h"
 #include "report/content.h"

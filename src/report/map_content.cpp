@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "report/content.h"
 #include "report/number_text.h"
 namespace knotfit::report {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "report/compose.h"
 #include "report/content.h"
 #include "report/layout.h"

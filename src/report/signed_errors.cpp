@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/picture.h"
 #include "report/vectors.h"
 namespace knotfit {

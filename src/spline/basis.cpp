@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/basis_lanes.h"
 namespace knotfit {
 namespace {

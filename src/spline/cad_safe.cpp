@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/clamped.h"
 #include "spline/elevation.h"
 #include "spline/projection.h"

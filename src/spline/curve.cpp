@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/contraction.h"
 #include "spline/insertion.h"
 #include "spline/parameter_basis.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/insertion.h"
 namespace knotfit {
 namespace {

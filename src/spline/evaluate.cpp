@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/contraction.h"
 #include "spline/evaluation.h"
 #include "spline/parameter_basis.h"

@@ -5,8 +5,8 @@
 
 #include "base/clones.h"
 #include "base/parallel.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "spline/basis_lanes.h"
 #include "spline/contraction.h"
 #include "spline/evaluation.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/surface.h"
 namespace knotfit {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

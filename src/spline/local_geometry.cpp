@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "knotfit/basis.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/surface.h"
 #include "spline/insertion.h"
 namespace knotfit {

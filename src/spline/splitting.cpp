@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 std::vector<Surface> split_u(const Surface& s, std::span<const double> cuts) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 
 Surface::Surface(KnotVector knots_u, KnotVector knots_v, int dimension, std::vector<double> net)

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/verify.h"
 #include "verify/cell_places.h"
 #include "verify/de_boor.h"

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "data/parameter_groups.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/verify.h"
 #include "verify/swing_limits.h"
 namespace knotfit {

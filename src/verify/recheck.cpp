@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/verify.h"
 #include "verify/de_boor.h"
 namespace knotfit {

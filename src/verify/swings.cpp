@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "verify/cell_places.h"
 #include "verify/de_boor.h"
 #include "verify/gap_places.h"

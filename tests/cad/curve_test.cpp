@@ -9,7 +9,7 @@
 
 #include "formats/support.h"
 #include "knotfit/curve_io.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 namespace knotfit::test {

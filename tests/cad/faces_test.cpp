@@ -19,7 +19,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "formats/cad/occt.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {
 namespace {

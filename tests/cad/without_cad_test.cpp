@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "knotfit/cad.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "fit/problem.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "parameterize/mesh_support.h"
 #include "support/expect_throw.h"
 #include "support/sampling.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/weld_mesh.h"
 #include "meshes.h"
 #include "support/expect_throw.h"

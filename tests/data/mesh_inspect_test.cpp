@@ -8,7 +8,7 @@
 #include <set>
 
 #include "data/mesh_topology.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "meshes.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "data/mesh_topology.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "meshes.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/weld_mesh.h"
 #include "meshes.h"
 #include "support/expect_throw.h"

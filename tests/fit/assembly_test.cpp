@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "fit/dense_reference.h"
 #include "fit/scattered.h"
 #include "knotfit/threads.h"
+#include "support/dense_reference.h"
 namespace knotfit::test {
 namespace {
 

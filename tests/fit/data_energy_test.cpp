@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "fit/problem.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/synthetic.h"
 #include "support/two_threads.h"

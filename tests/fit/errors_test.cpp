@@ -1,15 +1,14 @@
 // Summaries of errors: quantiles against a sort, messages.
-#include "knotfit/errors.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "fit/dense_reference.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/fit_least_squares.h"
 #include "knotfit/tolerance.h"
+#include "support/dense_reference.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/dense_reference.h"
 #include "fit/problem.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
+#include "support/dense_reference.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "fit/dense_reference.h"
 #include "knotfit/fit_least_squares.h"
 #include "knotfit/threads.h"
+#include "support/dense_reference.h"
 #include "support/synthetic.h"
 namespace knotfit::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fit/dense_reference.h"
+#include "support/dense_reference.h"
 namespace knotfit::test {
 namespace {
 

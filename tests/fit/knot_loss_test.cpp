@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "fit/dense_reference.h"
 #include "knotfit/surface.h"
+#include "support/dense_reference.h"
 #include "support/random_splines.h"
 #include "support/synthetic.h"
 namespace knotfit::test {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/dense_reference.h"
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/fit_least_squares.h"
 #include "knotfit/threads.h"
+#include "support/dense_reference.h"
 #include "support/expect_throw.h"
 #include "support/synthetic.h"
 namespace knotfit::test {

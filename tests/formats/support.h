@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "formats/readers.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

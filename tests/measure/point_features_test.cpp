@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/features.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/features.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize_curve.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {

@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "support/expect_throw.h"
 #include "support/synthetic.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "support/expect_throw.h"
 #include "support/synthetic.h"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <random>
 
+#include "data/orientation.h"
 #include "mesh_support.h"
 #include "parameterize/mesh_border.h"
 #include "parameterize/mesh_mean_value.h"
 #include "parameterize/mesh_newton.h"
-#include "parameterize/mesh_orientation.h"
 #include "parameterize/mesh_stretch_energy.h"
 namespace knotfit::mesh_map {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/orientation.h"
 #include "mesh_support.h"
 #include "parameterize/mesh_border.h"
 #include "parameterize/mesh_corner_search.h"
 #include "parameterize/mesh_mean_value.h"
-#include "parameterize/mesh_orientation.h"
 #include "parameterize/mesh_trial_fit.h"
 namespace knotfit::mesh_map {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "data/meshes.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {
 namespace {

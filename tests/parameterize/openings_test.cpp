@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/grid_support.h"
 #include "knotfit/parameterize_cloud.h"
 #include "support/expect_throw.h"

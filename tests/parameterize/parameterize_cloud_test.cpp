@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 namespace knotfit::test {

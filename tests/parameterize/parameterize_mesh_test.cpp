@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "mesh_support.h"
 #include "support/expect_throw.h"
 #include "support/two_threads.h"

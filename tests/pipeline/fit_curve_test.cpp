@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/synthetic.h"
 namespace knotfit::test {

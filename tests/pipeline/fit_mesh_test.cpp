@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/threads.h"
 #include "parameterize/mesh_support.h"
 #include "support/expect_throw.h"

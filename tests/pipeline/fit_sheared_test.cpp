@@ -1,7 +1,7 @@
 #include "knotfit/fit_sheared.h"
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/fits.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {

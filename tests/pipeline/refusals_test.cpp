@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "pipeline/fits.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/place.h"
 #include "place/shares.h"
 #include "support/expect_throw.h"

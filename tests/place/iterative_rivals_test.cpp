@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/fit_least_squares.h"
 #include "knotfit/place.h"
 #include "place/free_net.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/place.h"
 #include "knotfit/threads.h"
 #include "place/shares.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/synthetic.h"
 namespace knotfit::test {

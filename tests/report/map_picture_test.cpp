@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/parameterize_mesh.h"
 #include "knotfit/threads.h"
 #include "pixels.h"

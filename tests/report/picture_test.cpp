@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/threads.h"
 #include "pixels.h"
 #include "report/colour_map.h"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "scenes.h"
 namespace knotfit {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "scenes.h"
 namespace knotfit::report {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/knots_generator.h"
 #include "spline/reference.h"
 #include "support/expect_gradient.h"

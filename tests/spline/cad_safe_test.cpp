@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "spline/projection.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

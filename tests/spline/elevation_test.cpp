@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/clamped.h"
 #include "spline/splitting.h"
 #include "support/expect_throw.h"

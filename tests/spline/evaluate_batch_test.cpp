@@ -3,8 +3,8 @@
 #include <cstring>
 #include <limits>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/threads.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/knots_generator.h"
 #include "spline/reference.h"
 #include "support/expect_throw.h"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/surface.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"

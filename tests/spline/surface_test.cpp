@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 #include "support/sampling.h"

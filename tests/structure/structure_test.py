@@ -15,7 +15,7 @@ PAGE = """
 | `src/data/` | points | `points.h` |
 | `src/spline/` | surfaces | `surface.h` |
 | `src/place/` | knots | `place.h` |
-| `src/refine/` | sizes | `refine.h` |
+| `src/search/` | sizes | `refine.h` |
 """
 
 
@@ -48,7 +48,7 @@ class Structure(unittest.TestCase):
     def test_a_public_header_counts_as_its_folder(self):
         self.one(structure.check_includes,
                  {"src/spline/a.cpp": '#include "knotfit/refine.h"\n', "include/knotfit/refine.h": ""},
-                 "spline -> refine")
+                 "spline -> search")
 
     def test_public_headers_keep_the_order_too(self):
         self.one(structure.check_includes,
@@ -56,8 +56,8 @@ class Structure(unittest.TestCase):
                   "include/knotfit/place.h": ""},
                  "include/knotfit/surface.h:1", "spline -> place")
 
-    def test_verify_and_fit_do_not_see_each_other(self):
-        for one, other in [("verify", "fit"), ("fit", "verify")]:
+    def test_verify_and_solve_do_not_see_each_other(self):
+        for one, other in [("verify", "solve"), ("solve", "verify")]:
             self.one(structure.check_includes,
                      {f"src/{one}/a.cpp": f'#include "{other}/b.h"\n', f"src/{other}/b.h": ""},
                      f"{one} -> {other}", "sideways")

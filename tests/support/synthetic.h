@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/points.h"
 namespace knotfit::test {
 

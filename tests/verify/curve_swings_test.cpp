@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/verify.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {

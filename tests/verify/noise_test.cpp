@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/threads.h"
 #include "knotfit/verify.h"
 #include "support/expect_throw.h"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/threads.h"
 #include "knotfit/verify.h"
 #include "support/expect_throw.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/synthetic.h"
 #include "support/two_threads.h"

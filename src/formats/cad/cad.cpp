@@ -11,7 +11,7 @@
 #include "formats/cad/occt.h"
 #include "formats/file_bytes.h"
 #include "formats/write_file.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 #include "spline/clamped.h"
 namespace knotfit {

@@ -23,7 +23,7 @@
 #include "formats/file_bytes.h"
 #include "formats/write_file.h"
 #include "knotfit/curve_io.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/io.h"
 namespace knotfit {
 namespace {

@@ -18,7 +18,7 @@
 #include <map>
 
 #include "formats/cad/occt.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::cad {
 namespace {
 

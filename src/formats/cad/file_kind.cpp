@@ -3,7 +3,7 @@
 #include "formats/cad/occt.h"
 #include "formats/cad/step_syntax.h"
 #include "formats/foreign.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::cad {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "formats/number.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/knot_vector.h"
 namespace knotfit::cad {
 namespace {

@@ -17,7 +17,7 @@
 
 #include "formats/cad/occt.h"
 #include "formats/file_bytes.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::cad {
 namespace {
 

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "formats/cad/occt.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit::cad {
 
 struct Session::State {

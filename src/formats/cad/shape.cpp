@@ -20,7 +20,7 @@
 
 #include "base/narrow.h"
 #include "formats/cad/occt.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "spline/clamped.h"
 namespace knotfit::cad {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formats/number.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 #include "knotfit/index.h"
 namespace knotfit::cad {
 namespace {

@@ -1,7 +1,7 @@
 // In place of CAD exchange where knotfit is built without OpenCASCADE.
 #include "knotfit/cad.h"
 #include "knotfit/curve_io.h"
-#include "knotfit/errors.h"
+#include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
 

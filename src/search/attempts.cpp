@@ -1,0 +1,241 @@
+#include "search/attempts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "fit/scattered.h"
+#include "search/size_solver.h"
+#include "verify/swing_limits.h"
+namespace knotfit {
+
+namespace {
+
+/// How much worse than its tolerance a surface counts that holds it at the points and swings between them: by the root of what it
+/// is beyond what is allowed, but never so far that the size looks hopeless.
+double refused(const SwingReport& swings, double tolerance) {
+  return tolerance * std::clamp(std::sqrt(swings.largest / verify::kLargestSwing), 1.001, 1.3);
+}
+
+constexpr int kMostMends = 40, kMendRounds = 4;
+// Nets that swing by so many times what is allowed, and how many of them show that least squares alone will not do.
+constexpr double kWild = 10;
+constexpr int kMostWild = 2;
+
+}  // namespace
+
+Index default_control_points(const FitProblem& data) {
+  const Index minimum = Index{data.degree_u() + 1} * (data.degree_v() + 1);
+  Index most = data.points().size() / 2;
+  if (!data.on_grid()) most = std::min<Index>(most, 50000);
+  return std::max(most, minimum);
+}
+
+Attempts::Attempts(const FitProblem& data, const RefineOptions& options, const Control& control,
+                   long max_fits)
+    : data_(data),
+      options_(options),
+      control_(control),
+      max_fits_(options.max_fits > 0 ? options.max_fits : max_fits),
+      max_control_points_(own_limit() ? options.max_control_points : default_control_points(data)),
+      best_error_(std::numeric_limits<double>::infinity()) {
+  count(data);
+}
+
+long Attempts::fits() const {
+  long sum = mend_fits_;
+  for (const FitProblem* problem : problems_) sum += problem->fits();
+  return sum;
+}
+
+bool Attempts::allowed(Index functions_u, Index functions_v) const {
+  // One patch is allowed on fewer grid lines than it has functions, too: the smoothing floor holds it.
+  return functions_u <= std::max<Index>(data_.most_functions_u(), data_.degree_u() + 1) &&
+         functions_v <= std::max<Index>(data_.most_functions_v(), data_.degree_v() + 1) &&
+         functions_u * functions_v <= max_control_points_;
+}
+
+double Attempts::fit(FitProblem& problem, const InteriorKnots& knots) {
+  problem.solve(knots);
+  return offer(problem, problem.measured(options_.tolerance));
+}
+
+double Attempts::offer(const FitProblem& problem, double error, bool least_squares) {
+  const Index size = problem.control_points();
+  const double measured = error;
+  if (measured < nearest_error_) {
+    nearest_error_ = measured;
+    nearest_ = problem.knots();
+  }
+  bool good = holds(error);
+  const bool smaller = !best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_);
+  if (good ? smaller : !best_holds_ && (best_swings_ || error < best_error_) && std::isfinite(error)) {
+    Surface surface = problem.surface();
+    verify::SwingSites::Strays strays;
+    SwingReport report =
+        options_.sites->measure(surface, problem.errors(), options_.tolerance.value, &strays);
+    if (report.largest > kWild * verify::kLargestSwing) ++wild_;
+    if (good && report.swings) {
+      held_but_swings_ = true;
+      if (least_squares && options_.energy && mend(problem, strays, surface, report, error)) {
+        least_squares = false;
+      } else {
+        good = false;
+        error = refused(report, options_.tolerance.value);
+      }
+    }
+    // Of two that swing, the error counts times the swing.
+    const double counted =
+        error * (report.swings ? std::max(1.0, report.largest / verify::kLargestSwing) : 1);
+    if (good || (!best_holds_ && (report.swings != best_swings_ ? !report.swings : counted < best_error_))) {
+      best_ = problem.knots();
+      surface_ = std::move(surface);
+      best_holds_ = good;
+      best_swings_ = report.swings;
+      best_error_ = counted;
+      best_measured_ = good ? error : measured;
+      best_size_ = size;
+      least_squares_ = least_squares;
+    }
+  } else if (surface_.empty()) {  // nothing else yet
+    best_ = problem.knots();
+  }
+  if (!control_.progress) return error;
+  Progress progress;
+  progress.stage = stage_;
+  progress.tolerance = options_.tolerance.value;
+  if (!surface_.empty()) {
+    progress.error = best_measured_;
+    progress.size_u = static_cast<int>(surface_.size_u());
+    progress.size_v = static_cast<int>(surface_.size_v());
+  }
+  progress.fits = fits();
+  control_.progress(progress);
+  return error;
+}
+
+bool Attempts::mend(const FitProblem& problem, const verify::SwingSites::Strays& first, Surface& surface,
+                    SwingReport& report, double& error) {
+  if (mends_ == kMostMends) return false;
+  ++mends_;
+  verify::SwingSites::Strays strays = first;
+  ParameterizedPoints points = problem.points();
+  points.source.clear();
+  const double weight = points.weights.empty()
+                            ? 1
+                            : std::accumulate(points.weights.begin(), points.weights.end(), 0.0) /
+                                  static_cast<double>(points.size());
+  for (int round = 0; round < kMendRounds && !strays.uv.empty() && !stopped(); ++round) {
+    points.uv.insert(points.uv.end(), strays.uv.begin(), strays.uv.end());
+    points.values.insert(points.values.end(), strays.values.begin(), strays.values.end());
+    if (!points.weights.empty()) points.weights.resize(points.uv.size() / 2, weight);
+    FitProblem held(points, problem.degree_u(), problem.degree_v(), search_fits(options_));
+    held.scattered().count_first(data_.points().size());
+    ++mend_fits_;
+    if (!held.solve(problem.knots()) || !holds(held.measured(options_.tolerance))) return false;
+    strays = {};
+    const SwingReport again =
+        options_.sites->measure(held.surface(), held.errors(), options_.tolerance.value, &strays);
+    if (again.swings) continue;
+    surface = held.surface();
+    report = again;
+    error = held.measured(options_.tolerance);
+    return true;
+  }
+  return false;
+}
+
+void Attempts::list(Index functions_u, Index functions_v, double error) {
+  tried_.push_back({static_cast<int>(functions_u), static_cast<int>(functions_v), error, holds(error)});
+}
+
+bool Attempts::stopped() const {
+  return control_.stop.stop_requested() || out_of_time(control_, start_);
+}
+
+bool Attempts::interrupted() {
+  if (interruption_ != Status::not_run) return true;
+  if (stopped())
+    interruption_ = control_.stop.stop_requested() ? Status::stopped : Status::time_limit;
+  else if ((held_but_swings_ || wild_ >= kMostWild) &&
+           !options_.energy)  // it begins anew with the data energy
+    interruption_ = held_but_swings_ ? Status::swings : Status::not_reached;
+  else if (fits() >= max_fits_)
+    interruption_ = Status::limit_reached;
+  return interruption_ != Status::not_run;
+}
+
+RefineResult Attempts::finish(Status unmet) const {
+  RefineResult result;
+  // Running out of fits while walking down is the search's normal end; being stopped is not.
+  const bool cut = interruption_ == Status::stopped || interruption_ == Status::time_limit;
+  result.status = cut                                ? interruption_
+                  : best_holds_                      ? Status::reached
+                  : held_but_swings_                 ? Status::swings
+                  : interruption_ != Status::not_run ? interruption_
+                                                     : unmet;
+  result.knots = best_;
+  result.surface = surface_;
+  result.least_squares = least_squares_;
+  result.swings = best_swings_;
+  result.nearest = nearest_;
+  result.holds = best_holds_;
+  result.error = best_measured_;
+  result.fits = fits();
+  result.tried = tried_;
+  return result;
+}
+
+Control after(const RefineResult& earlier, const Control& control) {
+  if (!control.progress || earlier.surface.empty()) return control;
+  Control shown = control;
+  shown.progress = [&earlier, report = control.progress](const Progress& later) {
+    Progress progress = later;
+    const bool beaten = later.error >= 0 && later.error <= (earlier.holds ? later.tolerance : earlier.error);
+    if (!beaten) {
+      progress.error = earlier.error;
+      progress.size_u = static_cast<int>(earlier.surface.size_u());
+      progress.size_v = static_cast<int>(earlier.surface.size_v());
+    }
+    report(progress);
+  };
+  return shown;
+}
+
+RefineResult better_of(RefineResult a, RefineResult b) {
+  auto better = [](const RefineResult& x, const RefineResult& y) {
+    if (x.surface.empty() || y.surface.empty()) return !x.surface.empty();
+    if (x.holds != y.holds) return x.holds;
+    if (x.holds) return x.surface.control_point_count() < y.surface.control_point_count();
+    if (x.swings != y.swings) return !x.swings;
+    return x.error < y.error;
+  };
+  RefineResult& best = better(b, a) ? b : a;
+  const RefineResult& other = &best == &a ? b : a;
+  best.fits += other.fits;
+  best.tried.insert(best.tried.end(), other.tried.begin(), other.tried.end());
+  if (best.metric == InteriorKnots{}) best.metric = other.metric;
+  const Status first = a.status, further = b.status;
+  if (!best.holds && other.status == Status::swings) best.status = Status::swings;
+  if (first == Status::time_limit || (further == Status::time_limit && !best.holds))
+    best.status = Status::time_limit;
+  if (first == Status::stopped || further == Status::stopped) best.status = Status::stopped;
+  return std::move(best);
+}
+
+NoisePlateau::NoisePlateau(double noise, Index points, int dimension)
+    : level_(noise * std::sqrt(static_cast<double>(dimension))), points_(static_cast<double>(points)) {}
+
+bool NoisePlateau::add(Index control_points, double rms) {
+  const double size = static_cast<double>(control_points);
+  // White noise of N points keeps a share (N - n)/N of its squares beside n control points.
+  const bool flat = level_ > 0 && last_size_ > 0 && size > last_size_ && rms < 1.5 * level_ &&
+                    rms > 0.97 * last_rms_ * std::sqrt((points_ - size) / (points_ - last_size_));
+  flat_ = flat ? flat_ + 1 : 0;
+  last_size_ = size;
+  last_rms_ = rms;
+  return flat_ >= 2;
+}
+
+}  // namespace knotfit

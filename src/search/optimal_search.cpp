@@ -1,0 +1,184 @@
+// The size search with knots that minimise the error [METHOD 4.2], where that can pay [METHOD 4.5].
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "fit/scattered.h"
+#include "search/optimized_sizes.h"
+#include "search/worth.h"
+namespace knotfit {
+namespace {
+
+constexpr long kFits[] = {2000, 12000, 80000};  // fast, balanced, best
+constexpr double kWork[] = {1e11, 5e11, 4e12};  // operations a search may take
+constexpr double kLeastSaving = 0.1;            // below it, optimising is not worth its time
+constexpr double kLeastThoroughSaving =
+    0.2;                               // what a second, thorough look must see after a first that saw little
+constexpr double kLittleWork = 2e10;   // seconds: then even a small saving is worth it
+constexpr double kMuchWork = 2e10;     // of the last sizes alone: half a minute
+constexpr Index kPlacedLeast = 400;    // control points that a last search with placed knots may go to
+constexpr double kInsertionReach = 3;  // tolerances from which inserted lines may still come to it
+constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the work
+
+/// Knots of the error model instead, with the reason. Where they hold the tolerance at no size, knot lines inserted
+/// where the errors are may: each moves the knots on, and none is placed before the data asks for it.
+RefineResult search_placed_instead(FitProblem& data, const RefineOptions& options, const Control& control,
+                                   const std::string& reason) {
+  RefineOptions placed = options;
+  placed.method = "error-model";
+  const auto start = std::chrono::steady_clock::now();
+  RefineResult result = search_placed(data, placed, control);
+  result.method = placed.method;
+  result.notes.push_back(reason + "; the knots come from the error model");
+  const bool failed = !result.holds && result.error <= kInsertionReach * options.tolerance.value;
+  if (!(failed || result.status == Status::reached) || !can_optimise_insertion(data.points())) return result;
+  if (options.max_fits > 0) return result;  // a budget of the caller's is one of the search
+  if (control.stop.stop_requested() || out_of_time(control, start)) return result;
+  RefineOptions inserting = options;
+  if (result.holds)  // it begins too large and drops knots at last
+    inserting.max_control_points =
+        std::min<Index>(options.max_control_points > 0 ? options.max_control_points : data.points().size(),
+                        result.surface.control_point_count() * 5 / 4);
+  RefineResult inserted = insert_isolines(data, inserting, time_left(after(result, control), start));
+  inserted.method = options.method;
+  inserted.notes.push_back(
+      reason +
+      (result.holds
+           ? "; knot lines inserted where the errors are need fewer than the error model's knots"
+           : "; the error model's knots held the tolerance at no size, and knot lines were inserted"));
+  return better_of(std::move(result), std::move(inserted));
+}
+
+/// Whether the data alone lets far fewer control points do: seven tenths of the knots in each direction.
+bool guard_costs_much(const FitProblem& data, const RefineOptions& options, const RefineResult& guarded) {
+  const auto thinned = [](const std::vector<double>& knots) {
+    std::vector<double> fewer;
+    for (std::size_t i = 0; i < knots.size(); ++i)
+      if (i * 7 / 10 != (i + 1) * 7 / 10) fewer.push_back(knots[i]);
+    return fewer;
+  };
+  FitProblem plain(data.points(), options.degree_u, options.degree_v, search_fits(options));
+  return plain.solve({thinned(guarded.knots.u), thinned(guarded.knots.v)}) &&
+         plain.measured(options.tolerance) <= options.tolerance.value;
+}
+
+}  // namespace
+
+RefineResult search_optimal(FitProblem& data, const RefineOptions& options, const Control& control) {
+  const int effort = static_cast<int>(options.effort);
+  Attempts attempts(data, options, control, kFits[effort]);
+  PlacementContext plain(data, placement_options(options), control);
+  attempts.set_stage("features");
+  const FineModel fine = plain.fine_model();
+  KnotWorth worth;
+  double work = 0;
+  bool little = false;  // too little is saved
+  for (bool thorough : {false, true}) {
+    worth = estimate_worth(data, fine, options.tolerance, thorough);
+    // No search goes beyond half of the points.
+    const double side =
+        std::sqrt(std::min(worth.control_points, 0.5 * static_cast<double>(data.points().size())));
+    work = kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
+                              9 * side * side * side * side);
+    little = worth.saving < (thorough ? kLeastThoroughSaving : kLeastSaving) && work > kLittleWork &&
+             options.effort != Effort::best;
+    if (!little && work <= kWork[effort]) break;
+  }
+  if (little)
+    return search_placed_instead(
+        data, options, control,
+        fmt::format("optimised knots would save about {:.0f} % of the control points", 100 * worth.saving));
+  if (work > kWork[effort])
+    return search_placed_instead(
+        data, options, control,
+        fmt::format(
+            "about {:.2g} control points are too many to optimise their knots at this effort (they would "
+            "save about {:.0f} % against uniform ones)",
+            worth.control_points, 100 * worth.saving));
+
+  std::optional<Guard> guard;
+  if (options.guard && !attempts.stopped()) {
+    attempts.set_stage("reference");
+    guard.emplace(data.points(), options.tolerance.value, guard_looseness(options.tolerance), fine.knots,
+                  [&] { return attempts.stopped(); });
+  }
+  const LeastSquaresOptions fit = search_fits(options);
+  FitProblem problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);
+  problem.scattered().count_first(data.points().size());
+  attempts.count(problem);
+  PlacementContext context(problem, placement_options(options), control);
+  context.set_fine_model(fine);
+  OptimizedSizes solver(problem, context, guard ? &*guard : nullptr, attempts, options);
+  NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
+  // The other route as a start: at effort best, and where sizes that grow to the tolerance would cost more. (At balanced effort
+  // it saves a third on the ridge and costs as much on peaks.)
+  std::optional<Spans> first;
+  std::optional<RefineResult> inserted;
+  const bool from_inserted =
+      options.effort == Effort::best || (options.effort == Effort::balanced && work > kMuchWork);
+  if (from_inserted && can_optimise_insertion(data.points()) && !attempts.stopped()) {
+    RefineOptions quick = options;
+    if (quick.max_fits == 0) quick.max_fits = kFits[0];
+    inserted = insert_isolines(data, quick, attempts.time_left());
+    if (inserted->status == Status::reached) first = solver.seed(inserted->knots);
+  }
+  const Status unmet = search_sizes(data, fine, solver, attempts, plateau, first);
+  RefineResult result = attempts.finish(unmet);
+  result.metric = fine.knots;
+  if (guard) {
+    result.fill_points = guard->fill_count();
+    result.least_squares = false;  // not of the data alone
+  }
+  bool placed_tried = false;  // by the search without the guard
+  const bool near = result.error <= kInsertionReach * options.tolerance.value;
+  // Where the data is sparse, its own reference may be wrong, and points that join by it in the way.
+  if (guard && options.max_fits == 0 && can_optimise_insertion(data.points()) && !attempts.stopped() &&
+      (result.holds ? guard_costs_much(data, options, result) : near)) {
+    RefineOptions free = options;
+    free.guard = false;
+    if (result.holds) free.max_control_points = result.surface.control_point_count();
+    RefineResult unguarded = search_optimal(data, free, after(result, attempts.time_left()));
+    if (unguarded.holds) {
+      unguarded.notes.push_back(
+          "where points stand so sparsely that nothing certain can be said between them, the energy alone "
+          "holds the surface");
+      return better_of(std::move(result), std::move(unguarded));
+    }
+    placed_tried = !result.holds;
+  }
+  // The other route, where this one found nothing, or found what it did past sizes that swing.
+  if (!inserted && (result.holds ? attempts.any_refused() : near) && options.max_fits == 0 &&
+      can_optimise_insertion(data.points()) && !attempts.stopped()) {
+    RefineOptions fewer = options;
+    if (result.holds) fewer.max_control_points = result.surface.control_point_count();
+    inserted = insert_isolines(data, fewer, after(result, attempts.time_left()));
+  }
+  if (inserted) {
+    inserted->method = options.method;
+    result = better_of(std::move(result), std::move(*inserted));
+  }
+  // Placed knots begin without the energy, which sparse data inside dense data makes too stiff.
+  if (result.holds || placed_tried || options.max_fits > 0 || !can_optimise_insertion(data.points()) ||
+      attempts.stopped())
+    return result;
+  RefineOptions placed = options;
+  placed.method = "error-model";
+  const Index most = std::max(kPlacedLeast, 2 * result.surface.control_point_count());
+  placed.max_control_points =
+      options.max_control_points > 0 ? std::min(options.max_control_points, most) : most;
+  const Status searched = result.status;
+  RefineResult other = search_placed(data, placed, after(result, attempts.time_left()));
+  other.method = placed.method;
+  if (other.holds)
+    other.notes.push_back(
+        "optimised knots found no surface that keeps to the data; the knots come from the error model");
+  const bool holds = other.holds;
+  result = better_of(std::move(result), std::move(other));
+  if (!holds && result.status != Status::stopped && result.status != Status::time_limit)
+    result.status = searched;
+  return result;
+}
+
+}  // namespace knotfit

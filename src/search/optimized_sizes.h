@@ -1,0 +1,59 @@
+// Sizes whose knots minimise the error: Levenberg-Marquardt, relocation, joint minimax [METHOD 4.2].
+#pragma once
+#include <map>
+#include <optional>
+
+#include "place/relocate.h"
+#include "search/guard.h"
+#include "search/size_solver.h"
+namespace knotfit {
+
+class OptimizedSizes final : public SizeSolver {
+ public:
+  /// \param problem  scattered, over the guard's points where there is a guard, else over the data
+  /// \param context  of that problem, with the fine model set
+  OptimizedSizes(FitProblem& problem, PlacementContext& context, Guard* guard, Attempts& attempts,
+                 const RefineOptions& options);
+
+  /// Knots to start from at their own size. \return that size
+  Spans seed(InteriorKnots knots);
+  const SizeOutcome& solve(const Spans& spans, const Spans* from) override;
+  const SizeOutcome* seen(const Spans& spans) const override;
+  bool hopeless(const Spans& spans) const override;
+  const WalkPolicy& policy() const override { return policy_; }
+
+ private:
+  struct Entry {
+    SizeOutcome outcome;
+    InteriorKnots knots, minimax;  ///< the least-squares optimum, and the knots of the least maximum
+  };
+  struct Start {
+    InteriorKnots knots;
+    double phi = 0, error = 0;
+  };
+
+  std::vector<InteriorKnots> starts(const Spans& spans, const Entry* from, bool strong, const Entry& entry);
+  /// Nets too large to optimise: the error model's knots, least squares.
+  const SizeOutcome& place_only(const Spans& spans, Entry& entry);
+  /// From a least-squares optimum: the tolerance by minimax, honest by exchange. Offers what it finds.
+  void finish(Entry& entry, Start& start);
+  /// Fill points join where these knots make them matter, and the knots adapt to them.
+  void fill(Start& start);
+  void take_new_points();
+  double measured() const;
+  void use_base_weights();
+
+  FitProblem& problem_;
+  PlacementContext& context_;
+  Guard* guard_;
+  Attempts& attempts_;
+  const RefineOptions& options_;
+  bool to_maximum_;
+  PointShares shares_;
+  WalkPolicy policy_;
+  LevenbergOptions levenberg_;
+  std::map<Spans, Entry> seen_;
+  std::optional<InteriorKnots> seed_;
+};
+
+}  // namespace knotfit
