@@ -87,7 +87,7 @@ class Header {
       const double start = number({'u', 8}, at);
       if (start >= points) end = std::min(end, start);
     };
-    if (minor >= 3 && offset >= 235 && number({'u', 8}, 227) > 0) ends_at(227);
+    if (minor >= 3 && std::min(offset, bytes_.size()) >= 235 && number({'u', 8}, 227) > 0) ends_at(227);
     if (minor >= 4 && number({'u', 4}, 243) > 0) ends_at(235);
     return end > points ? static_cast<std::size_t>((end - points) / static_cast<double>(length)) : 0;
   }

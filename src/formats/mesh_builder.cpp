@@ -111,7 +111,8 @@ std::int32_t MeshBuilder::corner(double value, Index vertices, Index line) const
   return static_cast<std::int32_t>(value);
 }
 
-PointTable MeshBuilder::points() const {
+PointTable MeshBuilder::points() {
+  leave_parameters_aside("points'", "points");
   PointTable points;
   const auto n = static_cast<std::size_t>(mesh_.vertex_count());
   const auto column = [n](const std::vector<double>& from, std::size_t width, std::size_t d) {
@@ -139,24 +140,32 @@ void MeshBuilder::take_corner_parameters() {
                     several == 1 ? "one vertex" : fmt::format("{} vertices", several),
                     seam_[0] + mesh_.counted_from, mesh_.counted_from, several == 1 ? "has" : "have"));
   corner_uv_.resize(2 * mesh_.vertices.size() / 3, kNan);
-  std::vector<char> bare(mesh_.vertices.size() / 3, 0);
-  for (const auto& c : mesh_.faces)
-    for (const std::int32_t v : c) bare[v] = std::isnan(corner_uv_[2 * static_cast<std::size_t>(v)]);
-  if (const auto without = std::count(bare.begin(), bare.end(), 1); without > 0)
-    return drop_parameters(fmt::format("{} of the vertices {} none", without, without == 1 ? "has" : "have"));
-  // A vertex that no face uses has none: any will do.
-  for (double& x : corner_uv_)
-    if (std::isnan(x)) x = 0;
   mesh_.uv = std::move(corner_uv_);
+}
+
+void MeshBuilder::leave_parameters_aside(std::string_view whose, std::string_view of_the) {
+  std::vector<char> used(mesh_.vertices.size() / 3, mesh_.faces.empty());
+  for (const auto& c : mesh_.faces)
+    for (const std::int32_t v : c) used[v] = 1;
+  Index bare = 0;
+  for (std::size_t k = 0; k < mesh_.uv.size() / 2; ++k) {
+    if (std::isfinite(mesh_.uv[2 * k]) && std::isfinite(mesh_.uv[2 * k + 1])) continue;
+    bare += used[k];
+    mesh_.uv[2 * k] = mesh_.uv[2 * k + 1] = 0;  // a vertex that no face uses: any will do
+  }
+  if (bare > 0)
+    drop_parameters(
+        fmt::format("{} of the {} {} none that is finite", bare, of_the, bare == 1 ? "has" : "have"));
+  if (dropped_.empty()) return;
+  mesh_.uv.clear();
+  notes_.push_back(
+      fmt::format("the {} parameters (texture coordinates) are left aside: {}", whose, dropped_));
 }
 
 Mesh MeshBuilder::finish() {
   if (mesh_.faces.empty()) throw FileError(file_.path(), "the mesh has no faces");
   if (mesh_.uv.empty() && !corner_uv_.empty() && dropped_.empty()) take_corner_parameters();
-  if (!dropped_.empty()) {
-    mesh_.uv.clear();
-    notes_.push_back("the mesh's parameters (texture coordinates) are left aside: " + dropped_);
-  }
+  leave_parameters_aside("mesh's", "vertices");
   return std::move(mesh_);
 }
 

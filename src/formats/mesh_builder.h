@@ -48,7 +48,7 @@ class MeshBuilder {
   [[noreturn]] void fail(Index line, const std::string& message) const;
 
   /// The vertices as points, in a file without faces: with their parameters where each has some.
-  PointTable points() const;
+  PointTable points();
   /// The mesh. \throws FileError  no faces
   Mesh finish();
   /// What there is to say of the mesh after finish(): parameters that were left aside.
@@ -56,6 +56,8 @@ class MeshBuilder {
 
  private:
   void take_corner_parameters();
+  /// Where they were dropped, or one is not finite, which is said.
+  void leave_parameters_aside(std::string_view whose, std::string_view of_the);
 
   const FileBytes& file_;
   Mesh mesh_;

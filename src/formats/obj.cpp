@@ -80,12 +80,16 @@ class ObjReader {
     if (faces_ == 0) return points();
     read_faces();
     Mesh mesh = builder_.finish();
-    const std::vector<std::string> said = builder_.notes();
-    notes_.insert(notes_.end(), said.begin(), said.end());
+    add_notes();
     return {.path = file_.path(), .format = "obj", .content = std::move(mesh), .notes = notes_};
   }
 
  private:
+  void add_notes() {
+    const std::vector<std::string> said = builder_.notes();
+    notes_.insert(notes_.end(), said.begin(), said.end());
+  }
+
   void count_lines() {
     Index unknown = 0, first = 0;
     std::string name;
@@ -155,8 +159,9 @@ class ObjReader {
 
   SourceData points() {
     SourceData data{.path = file_.path(), .format = "obj", .content = PointTable{}};
-    data.notes = notes_;
     PointTable table = builder_.points();
+    add_notes();
+    data.notes = notes_;
     drop_points(table, missing_);
     data.left_out = static_cast<Index>(missing_.size()) + drop_far_nodata(table, options_.nodata);
     if (table.z.empty()) throw FileError(file_.path(), "every point has the nodata value");

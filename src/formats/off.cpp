@@ -26,12 +26,14 @@ class OffReader {
       read_numbers(*layout);
     else
       read_lines();
+    SourceData data{.path = file_.path(), .format = "off", .content = PointTable{}};
     if (faces_ == 0)
-      return {.path = file_.path(), .format = "off", .content = builder_.points(), .notes = notes_};
-    Mesh mesh = builder_.finish();
-    const std::vector<std::string> said = builder_.notes();
-    notes_.insert(notes_.end(), said.begin(), said.end());
-    return {.path = file_.path(), .format = "off", .content = std::move(mesh), .notes = notes_};
+      data.content = builder_.points();
+    else
+      data.content = builder_.finish();
+    data.notes = notes_;
+    for (const std::string& note : builder_.notes()) data.notes.push_back(note);
+    return data;
   }
 
  private:

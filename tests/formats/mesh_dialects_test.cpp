@@ -76,6 +76,20 @@ TEST(ObjDialects, TextureVerticesThatAreNotThereStopNothing) {
   expect_square(mesh("a.obj", kSquare + vt + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"));
   expect_note("a.obj", kSquare + vt + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
               "left aside: 1 of the vertices has none");
+  // So do those that a vertex or a point itself has: a reader hands on finite ones or none.
+  const std::string off = "STOFF 3 1 0\n0 0 0 0 0\n1 0 0 1 nan\n0 1 0 0 1\n3 0 1 2\n";
+  EXPECT_TRUE(mesh("a.off", off).uv.empty());
+  expect_note("a.off", off,
+              "the mesh's parameters (texture coordinates) are left aside: 1 of the vertices has none that "
+              "is finite");
+  const std::string spare = "STOFF 4 1 0\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n9 9 9 nan 1\n3 0 1 2\n";
+  EXPECT_EQ(mesh("a.off", spare).uv, (std::vector<double>{0, 0, 1, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(notes("a.off", spare), "");
+  const std::string cloud = "v 0 0 0\nv 1 0 0\nvt 0 0\nvt /1 0\n";
+  EXPECT_TRUE(content<PointTable>(read("a.obj", cloud)).u.empty());
+  expect_note(
+      "a.obj", cloud,
+      "the points' parameters (texture coordinates) are left aside: 1 of the points has none that is finite");
   EXPECT_TRUE(mesh("a.obj", kSquare + vt + "f 1/1 2/2 3/9\nf 1/1 3/3 4/4\n").uv.empty());
   EXPECT_TRUE(mesh("a.obj", kSquare + vt + "f 1/1 2/2 3/0\nf 1/1 3/3 4/4\n").uv.empty());
   EXPECT_TRUE(mesh("a.obj", kSquare + vt + "f 1/1 2/2 3/-9\nf 1/1 3/3 4/4\n").uv.empty());
@@ -257,16 +271,15 @@ TEST(PlyDialects, WhatIsLeftOutMayBeAnything) {
       mesh("a.ply", kPly + "property float quality\nproperty uchar red\n" + kPlyFaces +
                         "0 0 0 nan 1\n1 0 0 1.#QNAN x\n1 1 0 1e999 2\n0 1 .5 inf 3\n3 0 1 2\n3 0 2 3\n"));
   // A mesh's weights and normals are of no use, and its parameters may be left aside.
-  const Mesh m =
-      mesh("a.ply", kPly +
-                        "property float nx\nproperty float ny\nproperty float nz\nproperty float w\n"
-                        "property float s\nproperty float t\n" +
-                        kPlyFaces +
-                        "0 0 0 nan nan nan nan 0 0\n1 0 0 0 0 1 1 nan nan\n1 1 0 0 0 1 1 1 1\n"
-                        "0 1 .5 0 0 1 1 0 1\n3 0 1 2\n3 0 2 3\n");
-  expect_square(m);
-  EXPECT_EQ(m.uv[4], 1);
-  EXPECT_TRUE(std::isnan(m.uv[2]));
+  const std::string ply = kPly +
+                          "property float nx\nproperty float ny\nproperty float nz\nproperty float w\n"
+                          "property float s\nproperty float t\n" +
+                          kPlyFaces +
+                          "0 0 0 nan nan nan nan 0 0\n1 0 0 0 0 1 1 nan nan\n1 1 0 0 0 1 1 1 1\n"
+                          "0 1 .5 0 0 1 1 0 1\n3 0 1 2\n3 0 2 3\n";
+  expect_square(mesh("a.ply", ply));
+  EXPECT_TRUE(mesh("a.ply", ply).uv.empty());
+  expect_note("a.ply", ply, "left aside: 1 of the vertices has none that is finite");
   refuses("a.ply", kPly + kPlyFaces + "0 0 0\n1 0 nan\n1 1 0\n0 1 .5\n3 0 1 2\n3 0 2 3\n", "z is not finite");
 }
 
