@@ -132,8 +132,8 @@ CurvePictureInput picture_of(const CurveReport& r) {
 std::string curve_to_json(const CurveReport& r) {
   Json j = outcome(r);
   Json tried = Json::array();
-  for (const CurveSizeTried& t : r.result.tried)
-    tried.push_back({{"control_points", t.control_points}, {"error", number(t.error)}, {"holds", t.holds}});
+  for (const SizeTried& t : r.result.tried)
+    tried.push_back({{"control_points", t.size_u}, {"error", number(t.error)}, {"holds", t.holds}});
   j["tried"] = tried;
   j["input"] = r.arguments.input;
   add_columns(j, r.reading);

@@ -18,9 +18,14 @@ int run_methods(const ListArguments& arguments) {
   std::size_t width = 0;
   for (const PlacementMethod& m : placement_methods()) width = std::max(width, m.name.size());
   for (const PlacementMethod& m : placement_methods()) {
-    list.push_back({{"name", m.name}, {"summary", m.summary}, {"source", m.source}});
+    list.push_back({{"name", m.name},
+                    {"summary", m.summary},
+                    {"source", m.source},
+                    {"moves_knots", m.traits.moves_knots},
+                    {"needs_rows", m.traits.needs_rows}});
     text += arguments.names ? fmt::format("{}\n", m.name)
-                            : fmt::format("{:<{}}  {} [{}]\n", m.name, width, m.summary, m.source);
+                            : fmt::format("{:<{}}  {}{} [{}]\n", m.name, width, m.summary,
+                                          m.traits.needs_rows ? " (rows)" : "", m.source);
   }
   print(arguments.json ? list.dump() + "\n" : text);
   return kReached;

@@ -32,12 +32,6 @@ struct CurveFitOptions {
   long evaluations = 2000;   ///< of the error, in an evolutionary search
 };
 
-struct CurveSizeTried {
-  int control_points = 0;
-  double error = 0;
-  bool holds = false;
-};
-
 struct CurveFitResult {
   Status status = Status::not_run;
   std::string message;
@@ -51,12 +45,12 @@ struct CurveFitResult {
   ErrorSummary error;
   double tolerance = 0;  ///< absolute; 0: none asked
   Tolerance asked;
-  double diagonal = 0;   ///< of the bounding box; a function's range
-  double measured = 0;   ///< the error that counts
-  bool reached = false;  ///< at the points and between them
-  SwingReport swings;    ///< whether the curve keeps to its data between the points; worst_u is its t
-  std::string method;    ///< or "given"
-  std::vector<CurveSizeTried> tried;
+  double diagonal = 0;           ///< of the bounding box; a function's range
+  double measured = 0;           ///< the error that counts
+  bool reached = false;          ///< at the points and between them
+  SwingReport swings;            ///< whether the curve keeps to its data between the points; worst_u is its t
+  std::string method;            ///< or "given"
+  std::vector<SizeTried> tried;  ///< size_u control points, size_v 1
   long fits = 0;
   double noise = 0;  ///< estimated from the data; 0: none found
   std::vector<std::string> notes;

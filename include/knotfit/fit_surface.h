@@ -23,28 +23,16 @@ struct ToleranceRequest {
   double share = 1;  ///< of the points, for ErrorMeasure::percentile
 };
 
-struct FitOptions {
+struct FitOptions : SearchOptions {
   std::optional<ToleranceRequest> tolerance;
   /// A fixed size in control points (u, v); 0: sizes are searched to the tolerance.
   int control_points_u = 0, control_points_v = 0;
   /// Interior knots given; their size is fixed by them.
   std::optional<InteriorKnots> knots;
-  std::string method = "optimal";
-  Effort effort = Effort::balanced;
-  bool guard = true;  ///< hold a search with "optimal" between the data too
-  RefineRoute route = RefineRoute::search;
-  int degree_u = 3, degree_v = 3;
   /// Degrees 3, 4 and 5 are tried, equal ones and then one direction apart, and the fewest control points win
   /// (at a fixed size: the least error). Not with given knots.
   bool degree_auto = false;
-  double span_ratio = 0;  ///< RefineOptions::span_ratio
-  Index max_control_points = 0;
-  long max_fits = 0;  ///< 0: by the effort
-  double smoothing = 1e-9;
-  FeatureMeasure feature = FeatureMeasure::hessian;
-  FeatureMap user_features;
-  long evaluations = 2000;  ///< of the error, in an evolutionary search
-  bool between = true;      ///< measure the honest numbers between the data
+  bool between = true;  ///< measure the honest numbers between the data
 };
 
 /// Other knots at the same size, by plain least squares.

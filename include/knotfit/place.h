@@ -15,17 +15,21 @@
 #include "knotfit/tolerance.h"
 namespace knotfit {
 
-struct PlacementOptions {
-  int interior_u = 8, interior_v = 8;                ///< interior knots wanted, >= 0
+/// What whoever places knots is told, at one size or in a search.
+struct KnotOptions {
   int degree_u = 3, degree_v = 3;                    ///< 1 to 9
-  double smoothing = 1e-9;                           ///< of the fits a method makes, as LeastSquaresOptions
-  double stop = 1e-5;                                ///< criterion: largest knot move of a sweep that ends it
-  int sweeps = 100;                                  ///< criterion: at most
-  int rounds = 12;                                   ///< error model: rounds at the counts wanted
+  double smoothing = 1e-9;                           ///< relative floor of every fit, as LeastSquaresOptions
   FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
   FeatureMap user_features;                          ///< used in place of `feature` where not empty
-  long evaluations = 2000;                           ///< of the error, in an evolutionary search
-  std::shared_ptr<const DataEnergy> energy;          ///< of the fits a method makes, as LeastSquaresOptions
+  long evaluations = 2000;                           ///< of the error, in an evolutionary search at one size
+};
+
+struct PlacementOptions : KnotOptions {
+  int interior_u = 8, interior_v = 8;        ///< interior knots wanted, >= 0
+  double stop = 1e-5;                        ///< criterion: largest knot move of a sweep that ends it
+  int sweeps = 100;                          ///< criterion: at most
+  int rounds = 12;                           ///< error model: rounds at the counts wanted
+  std::shared_ptr<const DataEnergy> energy;  ///< of the fits a method makes, as LeastSquaresOptions
   /// Error model: the round kept has the least error of this measure; no further round once it is at
   /// most the value (0: all rounds).
   Tolerance keep_by{.value = 0, .measure = ErrorMeasure::rms};
@@ -41,14 +45,33 @@ struct Placement {
   std::vector<std::string> notes{};  ///< what a user should know, a sentence each
 };
 
+/// What becomes of a method's knots on a mesh whose parameters move [METHOD 8.12].
+enum class MeshKnots {
+  placed_once,  ///< at the map's parameters; the correction keeps them
+  uniform,      ///< equally spaced throughout
+  anew,         ///< by the error model on the corrected surface
+  moved         ///< that, and then moved so that the distances fall
+};
+
+/// What others need to know of a method beside its knots.
+struct MethodTraits {
+  bool moves_knots =
+      false;  ///< knots minimise the error itself, on scattered points whatever the data's layout
+  bool needs_rows = false;  ///< points that are not in rows are gathered into rows first, which a note says
+  MeshKnots on_mesh = MeshKnots::placed_once;
+};
+
 /// A row of the table of methods.
 struct PlacementMethod {
-  std::string_view name;     ///< as in --knots
+  std::string_view name;     ///< such as "error-model"
   std::string_view summary;  ///< one line
   std::string_view source;   ///< paper, section
+  MethodTraits traits{};
 };
 /// Every method there is, in the order of the docs.
 std::span<const PlacementMethod> placement_methods();
+/// The method of that name. \throws InvalidInput  unknown; lists those there are
+const PlacementMethod& placement_method(std::string_view name);
 
 /// Places knots by the method of that name.
 /// \throws InvalidInput  an unknown name (lists those there are), options out of range

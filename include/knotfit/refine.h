@@ -27,8 +27,8 @@ enum class Effort {
   best       ///< every start, every neighbour, second tries
 };
 
-struct RefineOptions {
-  Tolerance tolerance;
+/// What a search to a tolerance is told beside the tolerance.
+struct SearchOptions : KnotOptions {
   RefineRoute route = RefineRoute::search;
   /// Placement method: "optimal" needs the fewest control points, "error-model" the least time.
   std::string method = "optimal";
@@ -36,7 +36,6 @@ struct RefineOptions {
   /// Method "optimal": hold the surface between the data too, by fill points and a reserve of local
   /// references [METHOD 4.4].
   bool guard = true;
-  int degree_u = 3, degree_v = 3;
   /// Spans in u over spans in v that the size search grows with, 1/5 to 5 of it counts; 0: by the densities of the
   /// error model [METHOD 4.1]. A map of a mesh knows it: MapQuality::aspect.
   double span_ratio = 0;
@@ -46,11 +45,11 @@ struct RefineOptions {
   /// 12 000, best 80 000). Budgets count fits, never seconds, so that a result does not depend on the
   /// machine.
   long max_fits = 0;
-  double smoothing = 1e-9;
-  FeatureMeasure feature = FeatureMeasure::hessian;
-  FeatureMap user_features;
-  long evaluations = 2000;  ///< of the error, in an evolutionary search at one size
-  double noise = 0;         ///< standard deviation of the noise in the data, where known
+};
+
+struct RefineOptions : SearchOptions {
+  Tolerance tolerance;
+  double noise = 0;  ///< standard deviation of the noise in the data, where known
   /// Of these points, made once a call and handed down; none: made by the search.
   std::shared_ptr<const DataEnergy> energy;
   std::shared_ptr<const verify::SwingSites> sites;
@@ -66,8 +65,8 @@ enum class Status {
   tolerance_below_noise,  ///< more control points only follow the noise
   swings,         ///< the tolerance holds at the points, but the surface swings between them (SwingReport)
   folded,         ///< the tolerance holds at the vertices, but the surface folds over the mesh
-  limit_reached,  ///< --max-control-points or the budget of fits used up
-  time_limit,     ///< --time-limit cut it short
+  limit_reached,  ///< SearchOptions::max_control_points or the budget of fits used up
+  time_limit,     ///< Control::time_limit cut it short
   stopped,        ///< the caller's stop token
   failed          ///< a surface that is not finite, or whose recheck differs
 };
@@ -75,7 +74,7 @@ std::string_view to_string(Status status);
 
 /// One size tried.
 struct SizeTried {
-  int size_u = 0, size_v = 0;  ///< control points
+  int size_u = 0, size_v = 0;  ///< control points; of a curve size_v is 1
   double error = 0;            ///< the error that counts
   bool holds = false;
 };

@@ -4,20 +4,11 @@
 
 #include "knotfit/exceptions.h"
 #include "nearest/foot_points.h"
+#include "spline/strip_surface.h"
 namespace knotfit {
 namespace {
 
 constexpr FootPointOptions kSteps{.iterations = 20};
-
-/// The curve in R^3, the same at every v.
-CellPolynomials strip(const Curve& curve) {
-  const int d = curve.dimension();
-  std::vector<double> net;
-  for (Index i = 0; i < curve.size(); ++i)
-    for (int copy = 0; copy < 2; ++copy)
-      for (int e = 0; e < 3; ++e) net.push_back(e < d ? curve.control_points()[i * d + e] : 0);
-  return CellPolynomials(Surface(curve.knots(), KnotVector::uniform(1, 0), 3, std::move(net)));
-}
 
 }  // namespace
 
@@ -25,7 +16,7 @@ std::vector<double> curve_feet(const Curve& curve, bool closed, std::span<const 
                                std::span<double> t) {
   const int d = curve.dimension();
   if (d > 3) throw InvalidInput(fmt::format("foot points are of curves in space; this one is in R^{}", d));
-  const CellPolynomials surface = strip(curve);
+  const CellPolynomials surface(strip_surface(curve, 3));
   const std::size_t n = t.size();
   std::vector<Vec3> places(n);
   std::vector<double> uv(2 * n, 0.0);

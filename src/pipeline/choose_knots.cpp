@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "base/deadline.h"
 #include "fit/problem.h"
 #include "knotfit/exceptions.h"
 namespace knotfit {
@@ -25,14 +25,9 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
   }
   if (options.control_points_u > 0 || options.control_points_v > 0) {
     PlacementOptions place;
+    static_cast<KnotOptions&>(place) = options;
     place.interior_u = options.control_points_u - options.degree_u - 1;
     place.interior_v = options.control_points_v - options.degree_v - 1;
-    place.degree_u = options.degree_u;
-    place.degree_v = options.degree_v;
-    place.smoothing = options.smoothing;
-    place.feature = options.feature;
-    place.user_features = options.user_features;
-    place.evaluations = options.evaluations;
     place.energy = keeping.energy;
     if (tolerance.value > 0) place.keep_by = {0, tolerance.measure, tolerance.share};
     const Placement placement = place_knots(options.method, inside, place, control);
@@ -45,20 +40,8 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
     return chosen;
   }
   RefineOptions refine;
+  static_cast<SearchOptions&>(refine) = options;
   refine.tolerance = tolerance;
-  refine.route = options.route;
-  refine.method = options.method;
-  refine.effort = options.effort;
-  refine.guard = options.guard;
-  refine.degree_u = options.degree_u;
-  refine.degree_v = options.degree_v;
-  refine.span_ratio = options.span_ratio;
-  refine.max_control_points = options.max_control_points;
-  refine.max_fits = options.max_fits;
-  refine.smoothing = options.smoothing;
-  refine.feature = options.feature;
-  refine.user_features = options.user_features;
-  refine.evaluations = options.evaluations;
   refine.noise = noise;
   refine.energy = keeping.energy;
   refine.sites = keeping.sites;
@@ -100,7 +83,8 @@ class Degrees {
         tolerance_(tolerance),
         noise_(noise),
         keeping_(keeping),
-        control_(control) {}
+        control_(control),
+        deadline_(control) {}
 
   void try_degrees(int degree_u, int degree_v) {
     FitOptions options = options_;
@@ -110,12 +94,11 @@ class Degrees {
     const bool fixed = options.control_points_u > 0;
     if (patch > inside_.size() || control_.stop.stop_requested()) return;
     if (fixed && (options.control_points_u <= degree_u || options.control_points_v <= degree_v)) return;
-    if (best_ && out_of_time(control_, start_)) return;
+    if (best_ && deadline_.over()) return;
     // A larger surface than the best so far is of no use.
     if (!fixed && best_ && best_->status == Status::reached) options.max_control_points = size_of(*best_);
     if (options.max_control_points > 0 && options.max_control_points < patch) return;
-    Chosen chosen =
-        choose_at_degree(inside_, options, tolerance_, noise_, keeping_, time_left(control_, start_));
+    Chosen chosen = choose_at_degree(inside_, options, tolerance_, noise_, keeping_, deadline_.left());
     if (fixed) {
       LeastSquaresOptions fit;
       fit.smoothing = options.smoothing;
@@ -147,7 +130,7 @@ class Degrees {
   double noise_;
   const Keeping& keeping_;
   const Control& control_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Deadline deadline_;
   std::optional<Chosen> best_;
   long fits_ = 0;
   std::string tried_;

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "knotfit/exceptions.h"
-#include "pipeline/requirements.h"
+#include "pipeline/request.h"
 namespace knotfit {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "verify/swing_limits.h"
+#include "pipeline/verdict.h"
 
 namespace knotfit {
 namespace {
@@ -61,19 +61,10 @@ std::string gap_note(const CurveFitResult& fit) {
 
 /// The note that leads where a curve swings.
 std::string swing_note(const CurveFitResult& fit, const CurvePoints& points) {
-  const SwingReport& s = fit.swings;
-  const auto place = [&](double t) {
+  const std::string note = swing_text(fit.swings, fit.diagonal, "curve", [&](double t, double) {
     return points.function ? fmt::format("x = {:.9g}", points.x0 + t * (points.x1 - points.x0))
                            : fmt::format("t = {:.4g}", t);
-  };
-  std::string note = "the curve swings between the points";
-  if (s.largest > verify::kCountedSwing)
-    note += fmt::format(": at {} it leaves the range of the points about by {:.3g}, {:.3g} times {}",
-                        place(s.worst_u), s.distance, s.largest,
-                        s.in_gap ? "what such a gap allows" : "the larger of the tolerance and their errors");
-  if (s.beyond_box > verify::kBoxShare * fit.diagonal)
-    note += fmt::format("{} at {} it leaves the box of all data by {:.3g}",
-                        s.largest > verify::kCountedSwing ? ", and" : ":", place(s.box_u), s.beyond_box);
+  });
   return note + (points.function
                      ? "; more data there, a smoother curve (--smoothing) or a larger tolerance help"
                      : "; parameters that fit the points better (--corrected), more data there, a "

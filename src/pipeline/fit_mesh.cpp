@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "knotfit/exceptions.h"
-#include "pipeline/frame.h"
-#include "pipeline/mesh_search.h"
+#include "base/deadline.h"
 #include "pipeline/message.h"
-#include "pipeline/requirements.h"
+#include "pipeline/request.h"
+#include "pipeline/verdict.h"
+#include "search/mesh_search.h"
 namespace knotfit {
 namespace {
 
@@ -110,7 +109,7 @@ bool take_distances(MeshFit& fit, const Mesh& mesh) {
 /// The correction of knots that a method placed at the map's parameters. \return false: the plain fit is kept
 bool correct_placed(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions& options,
                     const CorrectionOptions& how, const Control& control) {
-  const auto start = std::chrono::steady_clock::now();
+  const Deadline deadline(control);
   FitOptions plain = options;
   plain.between = false;
   fit.result = fit_surface(mesh_points(mesh, map.uv), plain, control);
@@ -118,7 +117,7 @@ bool correct_placed(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const Fi
   const FitResult& r = fit.result;
   if (r.surface.empty() || r.status == Status::failed) return false;
   fit.correction =
-      correct_parameters(mesh, map, r.surface.knots_u(), r.surface.knots_v(), how, time_left(control, start));
+      correct_parameters(mesh, map, r.surface.knots_u(), r.surface.knots_v(), how, deadline.left());
   return true;
 }
 
@@ -129,10 +128,6 @@ void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions
   check_requirements(fit.points, options);
   FitResult& r = fit.result;
   r.map = fit.points.map;
-  r.diagonal = bounding_diagonal(fit.points);
-  const double rounding = Frame(fit.points).rounding();
-  if (options.tolerance) r.asked = absolute_tolerance(*options.tolerance, fit.points, r.diagonal, rounding);
-  r.tolerance = r.asked.value;
   r.effort = options.effort;
   r.smoothing = options.smoothing;
   CorrectionOptions how = given;
@@ -140,11 +135,15 @@ void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions
   how.data_vertices = mesh.vertex_count();
   const Mesh halved = halve_edges(mesh, map.halved_edges);
   const correction::CorrectionWork work(halved, map.all_uv(), how);
-  Tolerance inside = r.asked;  // room for the way out of the frame
-  inside.value = std::max(0.0, r.tolerance * (1 - 1e-9) - 4 * rounding) / work.frame().diagonal;
-  if (!options.tolerance) inside.measure = ErrorMeasure::rms;
-  MeshSearch found = options.control_points_u > 0 ? fit_mesh_size(work, options, inside, control)
-                                                  : search_mesh_sizes(work, options, inside, control);
+  Request request = make_request(options.tolerance, has_size_or_knots(options), fit.points,
+                                 Frame(fit.points).rounding(), work.frame().diagonal);
+  r.diagonal = request.diagonal;
+  r.asked = request.asked;
+  r.tolerance = request.asked.value;
+  if (!request.with_tolerance()) request.inside.measure = ErrorMeasure::rms;
+  MeshSearch found = request.searched ? search_mesh_sizes(work, options, request.inside, control)
+                                      : fit_mesh_size(work, options, options.control_points_u,
+                                                      options.control_points_v, request.inside, control);
   r.status = found.status;
   r.tried = std::move(found.tried);
   r.method = found.method;
@@ -169,13 +168,9 @@ MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options
       how.reweighting = 1;  // the maximum counts
   }
   FitResult& r = fit.result;
-  const bool searched = !options.knots && options.control_points_u == 0 && options.control_points_v == 0;
-  if (searched && !options.tolerance)
-    throw InvalidInput("give a tolerance, a number of control points, or knots");
-  const std::string& method = options.method;
-  const bool moves = !options.knots &&
-                     (method == "uniform" || method == "error-model" || method == "optimal") &&
-                     options.control_points_v > 0;
+  const bool searched = !has_size_or_knots(options);
+  const bool moves = !options.knots && options.control_points_v > 0 &&
+                     placement_method(options.method).traits.on_mesh != MeshKnots::placed_once;
   if (searched || moves)
     search(fit, mesh, map, options, how, control);
   else if (!correct_placed(fit, mesh, map, options, how, control))
@@ -195,17 +190,12 @@ MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options
   r.condition = 0;
   r.against_uniform = r.against_error_model = {};  // they compare errors at the parameters
   r.measured = options.tolerance ? measured_error(r.errors, r.asked) : r.error.max;
-  const bool holds = options.tolerance && r.measured <= r.tolerance,
-             folded = folds_over(fit.correction.folds);
+  const bool holds = options.tolerance && r.measured <= r.tolerance;
+  const bool folded = folds_over(fit.correction.folds);
   r.reached = holds && !folded;
-  const bool cut = fit.correction.status == CorrectionStatus::stopped;
-  if (cut)
+  if (fit.correction.status == CorrectionStatus::stopped)
     r.status = control.stop.stop_requested() ? Status::stopped : Status::time_limit;
-  else if (options.tolerance && r.status != Status::stopped && r.status != Status::time_limit)
-    r.status = r.reached                                 ? Status::reached
-               : holds                                   ? Status::folded
-               : searched && r.status != Status::reached ? r.status
-                                                         : Status::not_reached;
+  r.status = status_of({r.status, searched, options.tolerance.has_value(), holds, false, folded});
   if (!searched && !moves) r.fits += static_cast<long>(fit.correction.rounds.size());
   if (!control.stop.stop_requested()) fit.to_mesh = mesh_distances(r.surface, mesh, fit.correction.uv, 300);
   add_notes(fit);

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "base/deadline.h"
 #include "data/thinned.h"
 #include "fit/problem.h"
 #include "knotfit/exceptions.h"
-#include "pipeline/frame.h"
+#include "pipeline/request.h"
 namespace knotfit {
 namespace {
 
@@ -115,10 +115,10 @@ Shear find_shear(const ParameterizedPoints& points, const FitOptions& options, c
 ShearedFit fit_sheared(const ParameterizedPoints& points, const FitOptions& options,
                        std::optional<Shear> shear, const Control& control) {
   check_height_field(points);
-  const auto start = std::chrono::steady_clock::now();
+  const Deadline deadline(control);
   const bool given = shear.has_value();
   if (!given) shear = find_shear(points, options, control);
-  ShearedFit plain{fit_surface(points, options, time_left(control, start)), points};
+  ShearedFit plain{fit_surface(points, options, deadline.left()), points};
   if (shear->u == 0 && shear->v == 0) {
     if (!given)
       plain.result.notes.push_back(
@@ -126,8 +126,8 @@ ShearedFit fit_sheared(const ParameterizedPoints& points, const FitOptions& opti
     return plain;
   }
   ShearedFit oblique{{}, sheared(points, shear->u, shear->v)};
-  oblique.result = fit_surface(oblique.points, options, time_left(control, start));
-  const bool fixed = options.knots || options.control_points_u > 0;
+  oblique.result = fit_surface(oblique.points, options, deadline.left());
+  const bool fixed = has_size_or_knots(options);
   const bool wins = better(oblique.result, plain.result, fixed);
   const std::string of_oblique = outcome(oblique.result, fixed), of_plain = outcome(plain.result, fixed);
   if (wins) {

@@ -3,18 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "base/deadline.h"
 #include "data/crowding.h"
 #include "fit/problem.h"
 #include "knotfit/exceptions.h"
 #include "pipeline/choose_knots.h"
-#include "pipeline/frame.h"
 #include "pipeline/message.h"
-#include "pipeline/requirements.h"
+#include "pipeline/request.h"
 #include "pipeline/verdict.h"
 #include "place/shares.h"
 #include "verify/swing_limits.h"
@@ -58,9 +57,9 @@ bool check(FitResult& result, const ParameterizedPoints& points, const std::vect
 }
 
 /// What is left of the time for a look between the points, which a cut search is given a few seconds for.
-Control last_look(const Control& control, std::chrono::steady_clock::time_point start) {
+Control last_look(const Control& control, const Deadline& deadline) {
   constexpr double kLeast = 5;
-  Control left = time_left(control, start);
+  Control left = deadline.left(control);
   if (left.time_limit > 0) left.time_limit = std::max(left.time_limit, kLeast);
   return left;
 }
@@ -112,6 +111,12 @@ struct Fitted {
   }
 };
 
+/// By that name a method of the table, and not "given" or "insert".
+bool moves_knots(std::string_view name) {
+  return std::any_of(placement_methods().begin(), placement_methods().end(),
+                     [&](const PlacementMethod& m) { return m.name == name && m.traits.moves_knots; });
+}
+
 /// The same size on uniform knots and on those of the error model.
 void compare(FitResult& result, FitProblem& problem, const ParameterizedPoints& inside,
              const Tolerance& tolerance, double scale) {
@@ -156,44 +161,40 @@ BetweenReport between_points(const Surface& inside_surface, const ParameterizedP
 }  // namespace
 
 FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& options, const Control& given) {
-  const auto start = std::chrono::steady_clock::now();
+  const Deadline deadline(given);
   check_requirements(points, options);
 
   FitResult result;
   result.map = points.map;
   result.height_field = points.height_field;
-  result.diagonal = bounding_diagonal(points);
   const Frame frame(points);
   const Control control = outside(given, frame.scale());
-  const bool searched = !options.knots && options.control_points_u == 0 && options.control_points_v == 0;
-  if (options.tolerance) {
-    result.asked = absolute_tolerance(*options.tolerance, points, result.diagonal, frame.rounding());
-    result.tolerance = result.asked.value;
-  } else if (searched) {
-    throw InvalidInput("give a tolerance, a number of control points, or knots");
-  }
+  const Request request =
+      make_request(options.tolerance, has_size_or_knots(options), points, frame.rounding(), frame.scale());
+  const Tolerance& tolerance = request.inside;
+  result.diagonal = request.diagonal;
+  result.asked = request.asked;
+  result.tolerance = request.asked.value;
   note_duplicates(points, result.notes);
   const double crowded = points.dimension == 3 && !points.height_field ? crowded_share(points) : 0;
 
   const ParameterizedPoints inside = frame.inside(points);
-  // Undoing the frame moves control points by up to an ulp of the data: leave room for it.
-  Tolerance tolerance = result.asked;
-  tolerance.value = std::max(0.0, (result.tolerance * (1 - 1e-9) - 4 * frame.rounding()) / frame.scale());
   Keeping keeping;
   keeping.sites = std::make_shared<const verify::SwingSites>(inside, verify::kSearchPlaces);
-  if (searched) {
+  if (request.searched) {
     const double noise = estimate_noise(inside);
     if (noise > 0.02 * tolerance.value) result.noise = noise * frame.scale();
     keeping.energy = make_data_energy(inside, energy_scale(tolerance));
   }
   auto fitted = std::make_unique<Fitted>(inside, options, tolerance, result.noise / frame.scale(), keeping,
-                                         time_left(control, start));
-  const bool in_time = !control.stop.stop_requested() && !out_of_time(control, start);
-  if (!searched && in_time && fitted->solved && fitted->swings.swings && !fitted->problem->on_grid()) {
+                                         deadline.left(control));
+  const bool in_time = !deadline.over();
+  if (!request.searched && in_time && fitted->solved && fitted->swings.swings &&
+      !fitted->problem->on_grid()) {
     // A size or knots of the user's, whose least squares swing: the same held to the data by its energy, for errors of the
     // size that it leaves.
     keeping.energy = own_energy(inside, tolerance, fitted->problem->rms());
-    auto held = std::make_unique<Fitted>(inside, options, tolerance, 0.0, keeping, time_left(control, start));
+    auto held = std::make_unique<Fitted>(inside, options, tolerance, 0.0, keeping, deadline.left(control));
     held->chosen.fits += fitted->chosen.fits + fitted->problem->fits();
     if (held->solved && held->swings.largest < fitted->swings.largest) {
       held->chosen.notes.push_back(held_note(fitted->swings.largest, held->swings.largest, "surface"));
@@ -230,19 +231,19 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   }
   result.swings = fitted->swings;
   for (double* x : {&result.swings.distance, &result.swings.beyond_box}) *x *= frame.scale();
-  judge(result, points, chosen.status, options.tolerance.has_value(), searched);
+  judge(result, points, chosen.status, request.with_tolerance(), request.searched);
   if (result.empty_cells > 0)
     result.notes.push_back(
         fmt::format("{} knot cells hold no point: {} shapes the surface there", result.empty_cells,
                     result.least_squares ? "the smoothing floor" : "the energy that holds it to the data"));
-  const bool over = control.stop.stop_requested() || out_of_time(control, start);
-  if (chosen.method == "optimal" && !over) compare(result, problem, inside, tolerance, frame.scale());
-  if (options.between && !control.stop.stop_requested()) {
+  if (moves_knots(chosen.method) && !deadline.over())
+    compare(result, problem, inside, tolerance, frame.scale());
+  if (options.between && !deadline.stopped()) {
     const double unit =
         options.tolerance ? result.tolerance : std::max(result.error.max, 16 * frame.rounding());
     if (unit > 0)
       result.between = between_points(inside_surface, inside, unit, chosen.metric, frame.scale(),
-                                      last_look(control, start));
+                                      last_look(control, deadline));
   }
   if (crowded > kCrowded)
     result.notes.insert(

@@ -23,23 +23,20 @@ std::string place_text(const ParameterMap& map, double u, double v) {
 
 }  // namespace
 
+Status status_of(const Findings& f) {
+  const bool cut = f.searched == Status::stopped || f.searched == Status::time_limit;
+  if (!f.with_tolerance || cut) return f.searched;
+  if (f.holds) return f.swings ? Status::swings : f.folded ? Status::folded : Status::reached;
+  return f.search && f.searched != Status::reached ? f.searched : Status::not_reached;
+}
+
 void judge(FitResult& result, const ParameterizedPoints& points, Status searched, bool with_tolerance,
            bool search) {
   result.error = summarize_errors(result.errors, points);
-  if (!with_tolerance) {
-    result.measured = result.error.max;
-    result.status = searched;
-    return;
-  }
-  result.measured = measured_error(result.errors, result.asked);
-  const bool holds = result.measured <= result.tolerance;
+  result.measured = with_tolerance ? measured_error(result.errors, result.asked) : result.error.max;
+  const bool holds = with_tolerance && result.measured <= result.tolerance;
   result.reached = holds && !result.swings.swings;
-  const bool cut = searched == Status::stopped || searched == Status::time_limit;
-  result.status = cut                                     ? searched
-                  : holds && result.swings.swings         ? Status::swings
-                  : result.reached                        ? Status::reached
-                  : search && searched != Status::reached ? searched
-                                                          : Status::not_reached;
+  result.status = status_of({searched, search, with_tolerance, holds, result.swings.swings, false});
 }
 
 void judge_all_points(FitResult& result, const std::vector<double>& errors) {
@@ -64,24 +61,29 @@ void judge_all_points(FitResult& result, const std::vector<double>& errors) {
 std::string held_note(double before, double left, std::string_view what) {
   return fmt::format(
       "the least squares of these knots swing between the points (by {:.3g} times the errors there): an "
-      "energy "
-      "that follows the data's own spacing {} the {}",
+      "energy that follows the data's own spacing {} the {}",
       before, left <= verify::kLargestSwing ? "holds" : "lessens the swings of", what);
 }
 
-void note_swings(FitResult& result) {
-  const SwingReport& s = result.swings;
-  if (!s.swings) return;
-  std::string note = "the surface swings between the points";
-  if (s.largest > verify::kCountedSwing)
-    note += fmt::format(": at {} it leaves the range of the points about by {:.3g}, {:.3g} times {}",
-                        place_text(result.map, s.worst_u, s.worst_v), s.distance, s.largest,
+std::string swing_text(const SwingReport& s, double diagonal, std::string_view what,
+                       const std::function<std::string(double, double)>& place) {
+  std::string text = fmt::format("the {} swings between the points", what);
+  const bool counted = s.largest > verify::kCountedSwing;
+  if (counted)
+    text += fmt::format(": at {} it leaves the range of the points about by {:.3g}, {:.3g} times {}",
+                        place(s.worst_u, s.worst_v), s.distance, s.largest,
                         s.in_gap ? "what such a gap allows" : "the larger of the tolerance and their errors");
-  if (s.beyond_box > verify::kBoxShare * result.diagonal)
-    note += fmt::format("{} at {} it leaves the box of all data by {:.3g}",
-                        s.largest > verify::kCountedSwing ? ", and" : ":",
-                        place_text(result.map, s.box_u, s.box_v), s.beyond_box);
-  result.notes.insert(result.notes.begin(), note + "; " + kRemedies);
+  if (s.beyond_box > verify::kBoxShare * diagonal)
+    text += fmt::format("{} at {} it leaves the box of all data by {:.3g}", counted ? ", and" : ":",
+                        place(s.box_u, s.box_v), s.beyond_box);
+  return text;
+}
+
+void note_swings(FitResult& result) {
+  if (!result.swings.swings) return;
+  const std::string text = swing_text(result.swings, result.diagonal, "surface",
+                                      [&](double u, double v) { return place_text(result.map, u, v); });
+  result.notes.insert(result.notes.begin(), text + "; " + kRemedies);
 }
 
 }  // namespace knotfit

@@ -17,16 +17,21 @@ struct Entry {
 };
 
 constexpr std::array entries{
-    Entry{{"optimal", "knots that minimise the fitting error itself, by variable projection",
-           "Golub & Pereyra 1973; Kaufman 1975; Jupp 1978"},
+    Entry{{"optimal",
+           "knots that minimise the fitting error itself, by variable projection",
+           "Golub & Pereyra 1973; Kaufman 1975; Jupp 1978",
+           {.moves_knots = true, .on_mesh = MeshKnots::moved}},
           place_optimal},
-    Entry{{"error-model", "equal shares of the error that the present fit's derivatives predict, iterated",
-           "de Boor, A Practical Guide to Splines (NEWNOT), carried to surfaces"},
+    Entry{{"error-model",
+           "equal shares of the error that the present fit's derivatives predict, iterated",
+           "de Boor, A Practical Guide to Splines (NEWNOT), carried to surfaces",
+           {.on_mesh = MeshKnots::anew}},
           place_error_model},
     Entry{{"criterion", "cells of equal feature content: sum of squared cell features by coordinate descent",
            "Zhang, Cao, Chen, Li, Zeng, Computers & Graphics 2016"},
           place_criterion},
-    Entry{{"uniform", "equally spaced knots", "the baseline"}, place_uniform},
+    Entry{{"uniform", "equally spaced knots", "the baseline", {.on_mesh = MeshKnots::uniform}},
+          place_uniform},
     Entry{{"quantile", "the same number of points in every strip", "quantiles of the sorted parameters"},
           place_quantile},
     Entry{{"averaging", "means of neighbouring parameters, one in every span",
@@ -38,20 +43,28 @@ constexpr std::array entries{
     Entry{{"centroid", "centroids of regions of equal accumulated feature",
            "the literature on feature-based knots"},
           place_centroid},
-    Entry{{"derivative-share", "equal shares of the root of the data's own derivative of that order (rows)",
-           "Yeh, Nashed, Peterka, Tricoche, Computer-Aided Design 2020"},
+    Entry{{"derivative-share",
+           "equal shares of the root of the data's own derivative of that order",
+           "Yeh, Nashed, Peterka, Tricoche, Computer-Aided Design 2020",
+           {.needs_rows = true}},
           place_derivative_share},
-    Entry{{"nktp", "means of groups of parameters, averaged over the degree (rows)",
-           "Piegl & Tiller, The Visual Computer 2000"},
+    Entry{{"nktp",
+           "means of groups of parameters, averaged over the degree",
+           "Piegl & Tiller, The Visual Computer 2000",
+           {.needs_rows = true}},
           place_nktp},
-    Entry{{"dominant", "columns and rows where the data bends, split where errors are large (rows)",
-           "Park, Computer-Aided Design 2011; curves: Park & Lee 2007"},
+    Entry{{"dominant",
+           "columns and rows where the data bends, split where errors are large",
+           "Park, Computer-Aided Design 2011; curves: Park & Lee 2007",
+           {.needs_rows = true}},
           place_dominant},
     Entry{{"fitpack", "a knot at a time where residuals are large: the greedy rule of surfit",
            "Dierckx, Curve and Surface Fitting with Splines, 1993, 5.4"},
           place_fitpack},
-    Entry{{"sparse", "knots where a fit with few jumps of its derivative keeps them (rows)",
-           "Kang, Chen, Li, Deng, Yang, Computer-Aided Design 2015"},
+    Entry{{"sparse",
+           "knots where a fit with few jumps of its derivative keeps them",
+           "Kang, Chen, Li, Deng, Yang, Computer-Aided Design 2015",
+           {.needs_rows = true}},
           place_sparse},
     Entry{{"full-lspia",
            "control points by progressive iteration, knots by their gradient, in turn; then knots removed",
@@ -79,16 +92,10 @@ constexpr auto table = [] {
   return methods;
 }();
 
-}  // namespace
-
-std::span<const PlacementMethod> placement_methods() {
-  return table;
-}
-
-PlaceFunction find_method(std::string_view name) {
+const Entry& entry_of(std::string_view name) {
   std::string known;
   for (const Entry& entry : entries) {
-    if (entry.method.name == name) return entry.place;
+    if (entry.method.name == name) return entry;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.method.name);
   }
 #ifndef KNOTFIT_WITH_NLOPT
@@ -97,6 +104,20 @@ PlaceFunction find_method(std::string_view name) {
         fmt::format("this knotfit was built without NLopt, which the method '{}' needs", name));
 #endif
   throw InvalidInput(fmt::format("there is no placement method '{}'; there are {}", name, known));
+}
+
+}  // namespace
+
+std::span<const PlacementMethod> placement_methods() {
+  return table;
+}
+
+const PlacementMethod& placement_method(std::string_view name) {
+  return entry_of(name).method;
+}
+
+PlaceFunction find_method(std::string_view name) {
+  return entry_of(name).place;
 }
 
 Placement place_knots(std::string_view method, const ParameterizedPoints& points,
@@ -112,7 +133,7 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   fit.smoothing = options.smoothing;
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
-  fit.use_grid = method != "optimal";
+  fit.use_grid = !placement_method(method).traits.moves_knots;
   fit.energy = options.energy;
   FitProblem problem(points, options.degree_u, options.degree_v, fit);
   PlacementContext context(problem, options, control);

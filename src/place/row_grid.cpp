@@ -46,8 +46,7 @@ RowGrid make_row_grid(FitProblem& problem, const InteriorKnots& uniform) {
       values.assign(static_cast<std::size_t>(kLines * kLines * d), 0.0);
     grid.note = fmt::format(
         "the method asks for rows of points: the data was resampled on {} x {} lines of its parameters, from "
-        "a fit "
-        "of {} x {} uniform spans",
+        "a fit of {} x {} uniform spans",
         kLines, kLines, uniform.u.size() + 1, uniform.v.size() + 1);
   }
   set_positions(grid, d, values);

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "fit/scattered.h"
-#include "search/size_solver.h"
+#include "search/routes.h"
 #include "verify/swing_limits.h"
 namespace knotfit {
 
@@ -36,8 +36,7 @@ Attempts::Attempts(const FitProblem& data, const RefineOptions& options, const C
                    long max_fits)
     : data_(data),
       options_(options),
-      control_(control),
-      max_fits_(options.max_fits > 0 ? options.max_fits : max_fits),
+      run_(control, options.tolerance, options.max_fits > 0 ? options.max_fits : max_fits),
       max_control_points_(own_limit() ? options.max_control_points : default_control_points(data)),
       best_error_(std::numeric_limits<double>::infinity()) {
   count(data);
@@ -101,17 +100,10 @@ double Attempts::offer(const FitProblem& problem, double error, bool least_squar
   } else if (surface_.empty()) {  // nothing else yet
     best_ = problem.knots();
   }
-  if (!control_.progress) return error;
-  Progress progress;
-  progress.stage = stage_;
-  progress.tolerance = options_.tolerance.value;
-  if (!surface_.empty()) {
-    progress.error = best_measured_;
-    progress.size_u = static_cast<int>(surface_.size_u());
-    progress.size_v = static_cast<int>(surface_.size_v());
-  }
-  progress.fits = fits();
-  control_.progress(progress);
+  BestShown shown;
+  if (!surface_.empty())
+    shown = {best_measured_, static_cast<int>(surface_.size_u()), static_cast<int>(surface_.size_v())};
+  run_.show(shown, fits());
   return error;
 }
 
@@ -146,22 +138,14 @@ bool Attempts::mend(const FitProblem& problem, const verify::SwingSites::Strays&
   return false;
 }
 
-void Attempts::list(Index functions_u, Index functions_v, double error) {
-  tried_.push_back({static_cast<int>(functions_u), static_cast<int>(functions_v), error, holds(error)});
-}
-
-bool Attempts::stopped() const {
-  return control_.stop.stop_requested() || out_of_time(control_, start_);
-}
-
 bool Attempts::interrupted() {
   if (interruption_ != Status::not_run) return true;
   if (stopped())
-    interruption_ = control_.stop.stop_requested() ? Status::stopped : Status::time_limit;
+    interruption_ = run_.cut_or(Status::not_run);
   else if ((held_but_swings_ || wild_ >= kMostWild) &&
            !options_.energy)  // it begins anew with the data energy
     interruption_ = held_but_swings_ ? Status::swings : Status::not_reached;
-  else if (fits() >= max_fits_)
+  else if (run_.interrupted(fits()))
     interruption_ = Status::limit_reached;
   return interruption_ != Status::not_run;
 }
@@ -183,59 +167,8 @@ RefineResult Attempts::finish(Status unmet) const {
   result.holds = best_holds_;
   result.error = best_measured_;
   result.fits = fits();
-  result.tried = tried_;
+  result.tried = run_.tried();
   return result;
-}
-
-Control after(const RefineResult& earlier, const Control& control) {
-  if (!control.progress || earlier.surface.empty()) return control;
-  Control shown = control;
-  shown.progress = [&earlier, report = control.progress](const Progress& later) {
-    Progress progress = later;
-    const bool beaten = later.error >= 0 && later.error <= (earlier.holds ? later.tolerance : earlier.error);
-    if (!beaten) {
-      progress.error = earlier.error;
-      progress.size_u = static_cast<int>(earlier.surface.size_u());
-      progress.size_v = static_cast<int>(earlier.surface.size_v());
-    }
-    report(progress);
-  };
-  return shown;
-}
-
-RefineResult better_of(RefineResult a, RefineResult b) {
-  auto better = [](const RefineResult& x, const RefineResult& y) {
-    if (x.surface.empty() || y.surface.empty()) return !x.surface.empty();
-    if (x.holds != y.holds) return x.holds;
-    if (x.holds) return x.surface.control_point_count() < y.surface.control_point_count();
-    if (x.swings != y.swings) return !x.swings;
-    return x.error < y.error;
-  };
-  RefineResult& best = better(b, a) ? b : a;
-  const RefineResult& other = &best == &a ? b : a;
-  best.fits += other.fits;
-  best.tried.insert(best.tried.end(), other.tried.begin(), other.tried.end());
-  if (best.metric == InteriorKnots{}) best.metric = other.metric;
-  const Status first = a.status, further = b.status;
-  if (!best.holds && other.status == Status::swings) best.status = Status::swings;
-  if (first == Status::time_limit || (further == Status::time_limit && !best.holds))
-    best.status = Status::time_limit;
-  if (first == Status::stopped || further == Status::stopped) best.status = Status::stopped;
-  return std::move(best);
-}
-
-NoisePlateau::NoisePlateau(double noise, Index points, int dimension)
-    : level_(noise * std::sqrt(static_cast<double>(dimension))), points_(static_cast<double>(points)) {}
-
-bool NoisePlateau::add(Index control_points, double rms) {
-  const double size = static_cast<double>(control_points);
-  // White noise of N points keeps a share (N - n)/N of its squares beside n control points.
-  const bool flat = level_ > 0 && last_size_ > 0 && size > last_size_ && rms < 1.5 * level_ &&
-                    rms > 0.97 * last_rms_ * std::sqrt((points_ - size) / (points_ - last_size_));
-  flat_ = flat ? flat_ + 1 : 0;
-  last_size_ = size;
-  last_rms_ = rms;
-  return flat_ >= 2;
 }
 
 }  // namespace knotfit

@@ -1,11 +1,9 @@
-// What every route to a tolerance shares: the best surface so far, budgets, stop and progress.
+// The best surface so far of a search, and the verdict on every one that would be it.
 #pragma once
-#include <chrono>
 #include <limits>
-#include <string_view>
 
 #include "fit/problem.h"
-#include "knotfit/refine.h"
+#include "search/search_run.h"
 #include "verify/swings.h"
 namespace knotfit {
 
@@ -23,17 +21,19 @@ class Attempts {
   /// Keeps the surface the problem holds if it is the best so far. Every net that would be is asked whether it swings.
   /// \return the error that counts: beyond the tolerance where a surface that holds it at the points swings between them
   double offer(const FitProblem& problem, double error, bool least_squares = true);
-  bool holds(double error) const { return error <= options_.tolerance.value; }
+  bool holds(double error) const { return run_.holds(error); }
   /// A size is done with: listed in the result.
-  void list(Index functions_u, Index functions_v, double error);
+  void list(Index functions_u, Index functions_v, double error) {
+    run_.list(functions_u, functions_v, error, holds(error));
+  }
 
   /// Stopped, out of time or out of fits; the status says which.
   bool interrupted();
   /// Stopped or out of time; cheap, for inner loops.
-  bool stopped() const;
-  Control time_left() const { return knotfit::time_left(control_, start_); }
+  bool stopped() const { return run_.stopped(); }
+  Control time_left() const { return run_.time_left(); }
   Status interruption() const { return interruption_; }
-  void set_stage(std::string_view stage) { stage_ = stage; }
+  void set_stage(std::string_view stage) { run_.set_stage(stage); }
 
   /// The caller's limit counts, not the default; one beyond the number of points limits nothing.
   bool own_limit() const {
@@ -58,12 +58,9 @@ class Attempts {
             SwingReport& report, double& error);
   const FitProblem& data_;
   const RefineOptions& options_;
-  const Control& control_;
-  long max_fits_;
+  SearchRun run_;
   Index max_control_points_;
   std::vector<const FitProblem*> problems_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::string_view stage_;
   Status interruption_ = Status::not_run;
   InteriorKnots best_;
   Surface surface_;
@@ -76,33 +73,10 @@ class Attempts {
   Index best_size_ = 0;
   int mends_ = 0, wild_ = 0;
   long mend_fits_ = 0;
-  std::vector<SizeTried> tried_;
 };
-
-/// Of two results the better, with the fits and sizes of both: the one that reached with fewer control points, else one that
-/// does not swing, else the least error. A stop of either stays the status, and a time limit that cut the first short, or a further route
-/// where neither holds. \param a  of the search itself
-RefineResult better_of(RefineResult a, RefineResult b);
-
-/// The control of a further route: its progress shows the best of an earlier one while that is better.
-Control after(const RefineResult& earlier, const Control& control);
 
 /// Default limit on control points: half the points; for scattered data at most 50 000, since their
 /// band matrix grows with the power 3/2.
 Index default_control_points(const FitProblem& data);
-
-/// The residual's RMS only follows the noise: two sizes in a row gain no more than control points
-/// gain on white noise, near the noise level found in the data [METHOD 4.8].
-class NoisePlateau {
- public:
-  NoisePlateau(double noise, Index points, int dimension);
-  /// \return true where the sizes so far say so
-  bool add(Index control_points, double rms);
-
- private:
-  double level_, points_;
-  double last_size_ = 0, last_rms_ = 0;
-  int flat_ = 0;
-};
 
 }  // namespace knotfit

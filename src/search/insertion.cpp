@@ -1,19 +1,21 @@
 // The paper's framework: isolines inserted where features or errors are large, all knots placed anew,
 // until the tolerance holds; then knots dropped while it still does [Zhang16; METHOD 4.6].
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
+#include "base/deadline.h"
 #include "fit/data_energy.h"
 #include "fit/knot_loss.h"
 #include "fit/scattered.h"
 #include "place/error_model.h"
 #include "place/levenberg.h"
 #include "place/shares.h"
+#include "search/attempts.h"
 #include "search/guard.h"
 #include "search/minimax.h"
-#include "search/size_solver.h"
+#include "search/noise_plateau.h"
+#include "search/routes.h"
 namespace knotfit {
 namespace {
 
@@ -60,7 +62,8 @@ class Insertion {
         options_(options),
         problem_(problem),
         context_(problem, placement_options(options), control),
-        optimal_(options.method == "optimal" && can_optimise_insertion(data.points())),
+        optimal_(placement_method(options.method).traits.moves_knots &&
+                 can_optimise_insertion(data.points())),
         plateau_(options.noise, data.points().size(), data.points().dimension) {
     if (&data != &problem) attempts_.count(problem);
   }
@@ -143,7 +146,7 @@ class Insertion {
   /// Nets whose fit is too much work are not optimised: a step of their knots takes many fits' time.
   bool movable(const InteriorKnots& k) const {
     return problem_.work(static_cast<Index>(k.u.size()) + problem_.degree_u() + 1,
-                         static_cast<Index>(k.v.size()) + problem_.degree_v() + 1) <= kMostWork;
+                         static_cast<Index>(k.v.size()) + problem_.degree_v() + 1) <= kMostOperations;
   }
 
   bool allowed(const InteriorKnots& k) const {
@@ -233,7 +236,7 @@ class Insertion {
   void prune() {
     attempts_.set_stage("prune");
     InteriorKnots knots = attempts_.best();
-    double work = 0;
+    double operations = 0;
     for (bool dropped = true; dropped;) {
       dropped = false;
       struct Candidate {
@@ -248,12 +251,12 @@ class Insertion {
         return k;
       };
       auto try_without = [&](bool v, double knot) {
-        work += problem_.work(problem_.axis_u().functions(), problem_.axis_v().functions());
+        operations += problem_.work(problem_.axis_u().functions(), problem_.axis_v().functions());
         return attempts_.fit(problem_, without(knots, v, knot));
       };
       for (bool v : {false, true})
         for (double knot : v ? knots.v : knots.u) {
-          if (attempts_.interrupted() || work > kPruneWork) return;
+          if (attempts_.interrupted() || operations > kPruneOperations) return;
           order.push_back({try_without(v, knot), v, knot});
         }
       // A u-knot takes a whole column of control points: count what goes, then what it costs.
@@ -266,7 +269,7 @@ class Insertion {
       });
       for (const Candidate& c : order) {
         if (!attempts_.holds(c.error)) break;
-        if (attempts_.interrupted() || work > kPruneWork) return;
+        if (attempts_.interrupted() || operations > kPruneOperations) return;
         const double error = dropped ? try_without(c.v, c.knot) : c.error;
         if (!attempts_.holds(error)) continue;
         knots = without(knots, c.v, c.knot);
@@ -323,8 +326,8 @@ class Insertion {
     return options;
   }
 
-  static constexpr double kMostWork = 1e9;  ///< operations of a fit
-  static constexpr double kPruneWork = 6e10;
+  static constexpr double kMostOperations = 1e9;  ///< of a fit
+  static constexpr double kPruneOperations = 6e10;
   static constexpr int kStepsARound = 8;        ///< of all knots, after isolines were inserted
   static constexpr double kMinimaxReach = 2.5;  ///< what minimax may gain
 
@@ -345,19 +348,20 @@ bool can_optimise_insertion(const ParameterizedPoints& points) {
 }
 
 RefineResult insert_isolines(FitProblem& data, const RefineOptions& options, const Control& control) {
-  const bool optimal = options.method == "optimal" && can_optimise_insertion(data.points());
+  const bool optimal =
+      placement_method(options.method).traits.moves_knots && can_optimise_insertion(data.points());
   if (!optimal) return Insertion(data, data, nullptr, options, control).run();
-  const auto start = std::chrono::steady_clock::now();
+  const Deadline deadline(control);
   const LeastSquaresOptions fit = search_fits(options);
   FitProblem plain(data.points(), options.degree_u, options.degree_v, fit);
   if (!options.guard) return Insertion(data, plain, nullptr, options, control).run();
   const InteriorKnots metric =
       PlacementContext(plain, placement_options(options), control).fine_model().knots;
   Guard guard(data.points(), options.tolerance.value, guard_looseness(options.tolerance), metric,
-              [&] { return control.stop.stop_requested() || out_of_time(control, start); });
+              [&] { return deadline.over(); });
   FitProblem guarded(guard.points(), options.degree_u, options.degree_v, fit);
   guarded.scattered().count_first(data.points().size());
-  RefineResult result = Insertion(data, guarded, &guard, options, time_left(control, start)).run();
+  RefineResult result = Insertion(data, guarded, &guard, options, deadline.left()).run();
   result.fits += plain.fits();
   result.fill_points = guard.fill_count();
   if (result.fill_points > 0) result.least_squares = false;

@@ -1,12 +1,15 @@
 // The size search with knots that minimise the error [METHOD 4.2], where that can pay [METHOD 4.5].
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 
+#include "base/deadline.h"
 #include "fit/scattered.h"
+#include "search/better_of.h"
 #include "search/optimized_sizes.h"
+#include "search/routes.h"
+#include "search/size_search.h"
 #include "search/worth.h"
 namespace knotfit {
 namespace {
@@ -28,20 +31,20 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
                                    const std::string& reason) {
   RefineOptions placed = options;
   placed.method = "error-model";
-  const auto start = std::chrono::steady_clock::now();
+  const Deadline deadline(control);
   RefineResult result = search_placed(data, placed, control);
   result.method = placed.method;
   result.notes.push_back(reason + "; the knots come from the error model");
   const bool failed = !result.holds && result.error <= kInsertionReach * options.tolerance.value;
   if (!(failed || result.status == Status::reached) || !can_optimise_insertion(data.points())) return result;
   if (options.max_fits > 0) return result;  // a budget of the caller's is one of the search
-  if (control.stop.stop_requested() || out_of_time(control, start)) return result;
+  if (deadline.over()) return result;
   RefineOptions inserting = options;
   if (result.holds)  // it begins too large and drops knots at last
     inserting.max_control_points =
         std::min<Index>(options.max_control_points > 0 ? options.max_control_points : data.points().size(),
                         result.surface.control_point_count() * 5 / 4);
-  RefineResult inserted = insert_isolines(data, inserting, time_left(after(result, control), start));
+  RefineResult inserted = insert_isolines(data, inserting, deadline.left(after(result, control)));
   inserted.method = options.method;
   inserted.notes.push_back(
       reason +

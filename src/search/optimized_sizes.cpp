@@ -83,24 +83,6 @@ double OptimizedSizes::measured() const {
   return to_maximum_ ? largest_error(problem_, shares_) : problem_.measured(options_.tolerance);
 }
 
-const SizeOutcome* OptimizedSizes::seen(const Spans& spans) const {
-  const auto it = seen_.find(spans);
-  return it == seen_.end() ? nullptr : &it->second.outcome;
-}
-
-bool OptimizedSizes::hopeless(const Spans& c) const {
-  return std::any_of(seen_.begin(), seen_.end(), [&](const auto& s) {
-    const auto& [spans, outcome] = std::pair<const Spans&, const SizeOutcome&>(s.first, s.second.outcome);
-    if (outcome.holds || spans.first < c.first || spans.second < c.second) return false;
-    double margin = outcome.tries > 1 ? policy_.hopeless_twice : policy_.hopeless;
-    if (policy_.growth > 0)  // the smaller net is expected to be worse by a power of its size
-      margin /= std::pow(
-          static_cast<double>(spans.first) * spans.second / (static_cast<double>(c.first) * c.second),
-          policy_.growth);
-    return outcome.error > margin * attempts_.tolerance().value;
-  });
-}
-
 std::vector<InteriorKnots> OptimizedSizes::starts(const Spans& spans, const Entry* from, bool strong,
                                                   const Entry& entry) {
   const int ku = spans.first - 1, kv = spans.second - 1;
@@ -127,13 +109,13 @@ std::vector<InteriorKnots> OptimizedSizes::starts(const Spans& spans, const Entr
 }
 
 const SizeOutcome& OptimizedSizes::solve(const Spans& spans, const Spans* from) {
-  Entry& entry = seen_[spans];
+  Entry& entry = entries_.try_emplace(spans, Entry{outcomes_[spans], {}, {}}).first->second;
   const int most_tries = policy_.retry_within > 0 ? 2 : 1;
   if (entry.outcome.holds || entry.outcome.tries >= most_tries) return entry.outcome;
   const bool strong = entry.outcome.tries++ > 0;
   if (problem_.work(spans.first + problem_.degree_u(), spans.second + problem_.degree_v()) > kMostWork)
     return place_only(spans, entry);
-  const Entry* source = from && seen_.contains(*from) ? &seen_.at(*from) : nullptr;
+  const Entry* source = from && entries_.contains(*from) ? &entries_.at(*from) : nullptr;
   use_base_weights();
 
   std::vector<Start> optima;

@@ -2,8 +2,11 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <vector>
 
+#include "place/context.h"
 #include "place/relocate.h"
+#include "search/attempts.h"
 #include "search/guard.h"
 #include "search/size_solver.h"
 namespace knotfit {
@@ -18,13 +21,10 @@ class OptimizedSizes final : public SizeSolver {
   /// Knots to start from at their own size. \return that size
   Spans seed(InteriorKnots knots);
   const SizeOutcome& solve(const Spans& spans, const Spans* from) override;
-  const SizeOutcome* seen(const Spans& spans) const override;
-  bool hopeless(const Spans& spans) const override;
-  const WalkPolicy& policy() const override { return policy_; }
 
  private:
   struct Entry {
-    SizeOutcome outcome;
+    SizeOutcome& outcome;
     InteriorKnots knots, minimax;  ///< the least-squares optimum, and the knots of the least maximum
   };
   struct Start {
@@ -50,9 +50,8 @@ class OptimizedSizes final : public SizeSolver {
   const RefineOptions& options_;
   bool to_maximum_;
   PointShares shares_;
-  WalkPolicy policy_;
   LevenbergOptions levenberg_;
-  std::map<Spans, Entry> seen_;
+  std::map<Spans, Entry> entries_;
   std::optional<InteriorKnots> seed_;
 };
 

@@ -1,9 +1,8 @@
-// Sizes p x q from small to the first that holds, then the walk down [METHOD 4.1].
+#include "search/size_search.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "search/size_solver.h"
 namespace knotfit {
 namespace {
 
@@ -104,17 +103,19 @@ class SizeSearch {
   /// Every smaller neighbour in turn; to the first that holds, and again from there.
   void walk_down() {
     attempts_.set_stage("walk down");
-    double work = 0;
+    double operations = 0;
     for (bool moved = true; moved;) {
       moved = false;
       const Spans best{static_cast<int>(attempts_.best().u.size()) + 1,
                        static_cast<int>(attempts_.best().v.size()) + 1};
       for (const Spans& candidate : candidates(best)) {
-        if (attempts_.interrupted() || (solver_.policy().work > 0 && work > solver_.policy().work)) return;
+        if (attempts_.interrupted() ||
+            (solver_.policy().operations > 0 && operations > solver_.policy().operations))
+          return;
         const long before = attempts_.fits();
         const bool holds = solver_.solve(candidate, &best).holds;
-        work += static_cast<double>(attempts_.fits() - before) *
-                data_.work(candidate.first + m_, candidate.second + n_);
+        operations += static_cast<double>(attempts_.fits() - before) *
+                      data_.work(candidate.first + m_, candidate.second + n_);
         if (!holds) continue;
         moved = true;
         break;
@@ -134,7 +135,7 @@ class SizeSearch {
         const SizeOutcome* seen = solver_.seen(c);
         if (seen && (seen->tries > 1 || !(seen->error <= policy.retry_within * attempts_.tolerance().value)))
           continue;
-        if (solver_.hopeless(c)) continue;
+        if (solver_.hopeless(c, attempts_.tolerance().value)) continue;
         list.push_back({{seen != nullptr, std::abs(dp) + std::abs(dq) > 2, -size(c), dp}, c});
       }
     std::sort(list.begin(), list.end());

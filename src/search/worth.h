@@ -1,7 +1,6 @@
 // Whether optimising knots can pay, found out before it is tried [METHOD 4.5].
 #pragma once
 #include "place/context.h"
-#include "search/attempts.h"
 namespace knotfit {
 
 struct KnotWorth {

@@ -91,6 +91,20 @@ TEST(Methods, AreNamedOnceAndDescribed) {
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
+TEST(Methods, OnesThatNeedRowsSayWhatTheyMadeOfScatteredPoints) {
+  Random random(3);
+  const ParameterizedPoints scattered = arranged(random, Layout::uniform, 200, 1);
+  PlacementOptions options;
+  options.interior_u = options.interior_v = 3;
+  options.evaluations = 60;
+  for (const PlacementMethod& method : placement_methods()) {
+    const Placement placement = place_knots(method.name, scattered, options);
+    const bool rows = std::any_of(placement.notes.begin(), placement.notes.end(),
+                                  [](const std::string& n) { return n.find("rows") != std::string::npos; });
+    EXPECT_EQ(rows, method.traits.needs_rows) << method.name;
+  }
+}
+
 RC_GTEST_PROP(Methods, GiveIncreasingKnotsOfTheCountsAsked, ()) {
   Random random(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000000)));
   const auto layout =

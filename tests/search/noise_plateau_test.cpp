@@ -1,10 +1,11 @@
+#include "search/noise_plateau.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
 #include "knotfit/refine.h"
-#include "search/attempts.h"
 namespace knotfit::test {
 namespace {
 

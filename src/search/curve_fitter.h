@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "fit/curve_problem.h"
-#include "knotfit/fit_curve.h"
+#include "knotfit/refine.h"
+#include "knotfit/verify.h"
 namespace knotfit {
 
 struct FittedCurve {
@@ -23,13 +24,15 @@ struct FittedCurve {
 
 class CurveFitter {
  public:
-  /// \param points   in a frame; they and the others outlive the fitter
-  /// \param measure  the tolerance in the frame, 0: none
-  CurveFitter(const CurvePoints& points, const CurveFitOptions& options, const Tolerance& measure,
-              const Control& control)
-      : points_(points), options_(options), measure_(measure), control_(control) {}
+  /// \param points       in a frame; they and the others outlive the fitter
+  /// \param options      the degree is degree_u
+  /// \param corrections  rounds that move the parameters to feet
+  /// \param measure      the tolerance in the frame, 0: none
+  CurveFitter(const CurvePoints& points, const SearchOptions& options, int corrections,
+              const Tolerance& measure, const Control& control)
+      : points_(points), options_(options), corrections_(corrections), measure_(measure), control_(control) {}
 
-  Index least() const { return options_.degree + 1; }
+  Index least() const { return options_.degree_u + 1; }
   long fits() const { return fits_; }
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -59,7 +62,8 @@ class CurveFitter {
   void judge(FittedCurve& fitted) const;
 
   const CurvePoints& points_;
-  const CurveFitOptions& options_;
+  const SearchOptions& options_;
+  int corrections_;
   Tolerance measure_;
   const Control& control_;
   long fits_ = 0;

@@ -1,9 +1,9 @@
-#include "pipeline/mesh_rounds.h"
+#include "search/mesh_rounds.h"
 
 #include <utility>
 
-#include "pipeline/mesh_knots.h"
 #include "place/levenberg.h"
+#include "search/mesh_knots.h"
 namespace knotfit {
 
 using correction::Rounds;

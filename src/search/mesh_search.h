@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "correct/work.h"
-#include "knotfit/fit_surface.h"
+#include "knotfit/refine.h"
 namespace knotfit {
 
 struct MeshSearch {
@@ -20,12 +20,12 @@ struct MeshSearch {
 /// that failed, by a twentieth to the first that holds. The path from size to size does not depend on the
 /// tolerance, so that a looser one does not ask for more.
 /// \param tolerance  in the frame of the work
-MeshSearch search_mesh_sizes(const correction::CorrectionWork& work, const FitOptions& options,
+MeshSearch search_mesh_sizes(const correction::CorrectionWork& work, const SearchOptions& options,
                              const Tolerance& tolerance, const Control& control);
 
 /// A fixed size: corrected on uniform knots, then on those of the error model on that surface, then with the knots
 /// optimised too, as far as the method asks; each kept only where the error falls.
-MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const FitOptions& options,
-                         const Tolerance& tolerance, const Control& control);
+MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const SearchOptions& options, int size_u,
+                         int size_v, const Tolerance& tolerance, const Control& control);
 
 }  // namespace knotfit

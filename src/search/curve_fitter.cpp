@@ -1,4 +1,4 @@
-#include "pipeline/curve_fitter.h"
+#include "search/curve_fitter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "place/shares.h"
 #include "place/strip.h"
 #include "spline/clamped.h"
+#include "spline/strip_surface.h"
 namespace knotfit {
 namespace {
 
@@ -17,25 +18,14 @@ Curve finished(const Curve& curve, bool closed) {
   const double first = curve.knots().first();
   std::vector<double> knots = curve.knots().knots();
   for (double& t : knots) t -= first;
-  std::vector<double> net;
-  const int d = curve.dimension();
-  for (Index i = 0; i < curve.size(); ++i)
-    for (int copy = 0; copy < 2; ++copy)
-      net.insert(net.end(), curve.control_points().begin() + i * d,
-                 curve.control_points().begin() + (i + 1) * d);
-  const Surface strip =
-      clamped(Surface(KnotVector(curve.degree(), knots), KnotVector::uniform(1, 0), d, net));
-  std::vector<double> row;
-  for (Index i = 0; i < strip.size_u(); ++i) {
-    const auto c = strip.control_point(i, 0);
-    row.insert(row.end(), c.begin(), c.end());
-  }
-  if (closed) std::copy_n(row.begin(), d, row.end() - d);  // to the last bit
+  const Surface strip = clamped(strip_surface(
+      Curve(KnotVector(curve.degree(), std::move(knots)), curve.dimension(), curve.control_points())));
+  const Curve open = curve_of_strip(strip, closed);
   // The period's end is 1 up to rounding.
-  std::vector<double> clean = strip.knots_u().knots();
+  std::vector<double> clean = open.knots().knots();
   for (double& t : clean)
-    if (t == strip.knots_u().last()) t = 1;
-  return Curve(KnotVector(curve.degree(), std::move(clean)), d, std::move(row));
+    if (t == open.knots().last()) t = 1;
+  return Curve(KnotVector(curve.degree(), std::move(clean)), curve.dimension(), open.control_points());
 }
 
 void keep_better(FittedCurve& best, FittedCurve other) {
@@ -72,10 +62,10 @@ FittedCurve CurveFitter::held(FittedCurve plain, const Size& size, double scale)
 }
 
 FittedCurve CurveFitter::fit(Index control_points, const Energy& energy) {
-  CurveProblem problem(points_, options_.degree, options_.smoothing, energy);
+  CurveProblem problem(points_, options_.degree_u, options_.smoothing, energy);
   std::vector<double> knots = place(problem, control_points, energy);
   FittedCurve best = take(problem, knots);
-  if (options_.corrections > 0 && correct(problem, knots)) {
+  if (corrections_ > 0 && correct(problem, knots)) {
     keep_better(best, take(problem, knots));
     knots = place(problem, control_points, energy);  // for the parameters as they are now
     correct(problem, knots);
@@ -87,9 +77,9 @@ FittedCurve CurveFitter::fit(Index control_points, const Energy& energy) {
 }
 
 FittedCurve CurveFitter::fit(const std::vector<double>& knots, const Energy& energy) {
-  CurveProblem problem(points_, options_.degree, options_.smoothing, energy);
+  CurveProblem problem(points_, options_.degree_u, options_.smoothing, energy);
   FittedCurve best = take(problem, knots);
-  if (options_.corrections > 0 && correct(problem, knots)) keep_better(best, take(problem, knots));
+  if (corrections_ > 0 && correct(problem, knots)) keep_better(best, take(problem, knots));
   fits_ += problem.fits();
   judge(best);
   return best;
@@ -97,15 +87,11 @@ FittedCurve CurveFitter::fit(const std::vector<double>& knots, const Energy& ene
 
 std::vector<double> CurveFitter::place(CurveProblem& problem, Index control_points, const Energy& energy) {
   PlacementOptions place;
-  place.degree_u = options_.degree;
+  static_cast<KnotOptions&>(place) = options_;
   // A period has as many knots as control points, the seam one of them.
   place.interior_u =
-      static_cast<int>(points_.closed ? control_points - 1 : control_points - options_.degree - 1);
-  place.smoothing = options_.smoothing;
+      static_cast<int>(points_.closed ? control_points - 1 : control_points - options_.degree_u - 1);
   place.energy = energy;
-  place.feature = options_.feature;
-  place.user_features = options_.user_features;
-  place.evaluations = options_.evaluations;
   const Placement placed = place_curve_knots(options_.method, problem.points(), place, control_);
   fits_ += placed.fits;
   for (const std::string& note : placed.notes)
@@ -113,7 +99,8 @@ std::vector<double> CurveFitter::place(CurveProblem& problem, Index control_poin
   std::vector<double> knots = placed.knots.u;
   if (!points_.closed) return knots;
   knots.insert(knots.begin(), 0.0);
-  if (options_.method == "optimal") optimize_period(problem, knots, [&] { return stopped(); });
+  if (placement_method(options_.method).traits.moves_knots)
+    optimize_period(problem, knots, [&] { return stopped(); });
   return knots;
 }
 
@@ -134,7 +121,7 @@ FittedCurve CurveFitter::take(CurveProblem& problem, const std::vector<double>& 
 bool CurveFitter::correct(CurveProblem& problem, const std::vector<double>& knots) {
   bool moved = false;
   CurvePoints& points = problem.points();
-  for (int round = 0; round < options_.corrections && !stopped(); ++round) {
+  for (int round = 0; round < corrections_ && !stopped(); ++round) {
     if (!problem.solve(knots)) break;
     const double before = problem.phi();
     std::vector<double> feet;

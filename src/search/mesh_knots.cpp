@@ -1,4 +1,4 @@
-#include "pipeline/mesh_knots.h"
+#include "search/mesh_knots.h"
 
 #include <algorithm>
 

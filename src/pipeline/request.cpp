@@ -1,4 +1,4 @@
-#include "pipeline/requirements.h"
+#include "pipeline/request.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 
 #include "data/strays.h"
 #include "knotfit/exceptions.h"
-#include "pipeline/frame.h"
 namespace knotfit {
 namespace {
 
@@ -144,6 +143,20 @@ Tolerance absolute_tolerance(const ToleranceRequest& request, const Parameterize
                     "precision ({}); ask for a larger one, or move the data nearer to the origin",
                     t.value, 16 * rounding));
   return t;
+}
+
+Request make_request(const std::optional<ToleranceRequest>& tolerance, bool size_or_knots,
+                     const ParameterizedPoints& points, double rounding, double unit) {
+  if (!tolerance && !size_or_knots)
+    throw InvalidInput("give a tolerance, a number of control points, or knots");
+  Request request;
+  request.searched = !size_or_knots;
+  request.diagonal = bounding_diagonal(points);
+  if (tolerance) request.asked = absolute_tolerance(*tolerance, points, request.diagonal, rounding);
+  request.inside = request.asked;
+  // Undoing the frame moves control points by up to an ulp of the data.
+  request.inside.value = std::max(0.0, (request.asked.value * (1 - 1e-9) - 4 * rounding) / unit);
+  return request;
 }
 
 void note_duplicates(const ParameterizedPoints& points, std::vector<std::string>& notes) {
