@@ -21,12 +21,12 @@ struct Metric {
 
 Corners find_by_search(const DiskMesh& disk, const Border& border, const std::vector<RestTriangle>& rest,
                        const Elimination& elimination, const Corners& sharpest, const Choices& choices,
-                       const Watch& watch) {
+                       const Stage& stage) {
   ConvexMap map(disk, elimination);
   std::vector<double> uv(2 * disk.position.size(), 0);
   // One factor serves all corners: they only change the right sides.
   const auto search = [&](std::vector<Corners> starts) {
-    return search_corners(border, {.starts = std::move(starts), .stop = watch.stop},
+    return search_corners(border, {.starts = std::move(starts), .stop = [&] { return stage.over(); }},
                           [&](const Corners& corners) {
                             border.place(corners, uv);
                             map.solve(uv);
@@ -37,7 +37,8 @@ Corners find_by_search(const DiskMesh& disk, const Border& border, const std::ve
   const Corners found = search({sharpest});
   if (!choices.newton) return found;
   // Again with weights that even out the stretch: what corners are worth once it is even.
-  const EdgeWeights even = reweight(disk, rest, elimination, border, found, {.stop = watch.stop}).weights;
+  const EdgeWeights even =
+      reweight(disk, rest, elimination, border, found, {.stop = [&] { return stage.over(); }}).weights;
   return map.factor(even) ? search({sharpest, found}) : found;
 }
 
@@ -45,21 +46,23 @@ Corners find_by_search(const DiskMesh& disk, const Border& border, const std::ve
 class Candidate {
  public:
   Candidate(const DiskMesh& disk, const Elimination& elimination, const Metric& metric, CornerRule rule,
-            const Corners& corners, const Choices& choices, const Watch& watch)
+            const Corners& corners, const Choices& choices, const Stage& stage)
       : disk_(disk), metric_(metric), rule_(rule), corners_(corners) {
     const Border border(disk, metric.rest);
     // Newton gets as far from six rounds of reweighting as from twelve.
     const ReweightOptions options{
-        .exponent = 0.5, .slide = 0.5, .rounds = choices.newton ? 6 : 1, .stop = watch.stop};
+        .exponent = 0.5, .slide = 0.5, .rounds = choices.newton ? 6 : 1, .stop = [&] {
+          return stage.over();
+        }};
     std::vector<double> start = reweight(disk, metric.rest, elimination, border, corners, options).uv;
     consider(start);
     if (choices.newton)
       newton_ = std::make_unique<NewtonMap>(disk, metric.rest, elimination, std::move(start));
   }
 
-  void advance(int rounds, const Watch& watch) {
+  void advance(int rounds, const Stage& stage) {
     if (!newton_ || newton_->converged() || rounds <= 0) return;
-    newton_->advance(rounds, 1e-4, watch.stop);
+    newton_->advance(rounds, 1e-4, [&] { return stage.over(); });
     newton_->release();
     consider(newton_->square_parameters());
   }
@@ -102,7 +105,7 @@ void keep_best(Candidates& candidates, std::size_t most) {
 
 }  // namespace
 
-ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Watch& watch) {
+ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Stage& stage) {
   const Elimination elimination(disk.vertex_count(), disk.edge);
   std::vector<Metric> metrics;
   for (const double omega : choices.omegas) metrics.push_back({omega, rest_triangles(disk, omega)});
@@ -118,8 +121,8 @@ ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Watch& wa
   Candidates candidates;
   const auto start = [&](std::size_t slot, std::size_t metric, CornerRule rule, const Corners& corners) {
     candidates[slot] =
-        std::make_unique<Candidate>(disk, elimination, metrics[metric], rule, corners, choices, watch);
-    candidates[slot]->advance(std::min(first, rounds), watch);
+        std::make_unique<Candidate>(disk, elimination, metrics[metric], rule, corners, choices, stage);
+    candidates[slot]->advance(std::min(first, rounds), stage);
   };
   const bool search = !choices.corners && choices.rule != CornerRule::sharpest;
   const bool sharp = choices.corners || choices.rule != CornerRule::search;
@@ -129,23 +132,23 @@ ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Watch& wa
   parallel_for(static_cast<Index>(by_sharp + (search ? 1 : 0)), [&](Index task) {
     if (search && task == 0) {  // the longest task first
       searched = corners_at_ears(border,
-                                 find_by_search(disk, border, middle, elimination, sharpest, choices, watch));
+                                 find_by_search(disk, border, middle, elimination, sharpest, choices, stage));
       return;
     }
     const auto k = static_cast<std::size_t>(task) - (search ? 1 : 0);
     start(k, k, choices.corners ? choices.rule : CornerRule::sharpest, sharpest);
   });
-  watch.report(0.4);
+  stage.report(0.4);
   parallel_for(static_cast<Index>(by_search), [&](Index k) {
     start(by_sharp + static_cast<std::size_t>(k), static_cast<std::size_t>(k), CornerRule::search, searched);
   });
-  watch.report(0.6);
+  stage.report(0.6);
 
   const auto go_on = [&](std::size_t most, int until, double done) {
     keep_best(candidates, most);
     parallel_for(static_cast<Index>(candidates.size()),
-                 [&](Index k) { candidates[k]->advance(until - candidates[k]->rounds(), watch); });
-    watch.report(done);
+                 [&](Index k) { candidates[k]->advance(until - candidates[k]->rounds(), stage); });
+    stage.report(done);
   };
   go_on(4, std::min(second, rounds), 0.8);
   go_on(2, rounds, 1);

@@ -1,9 +1,9 @@
 // Maps in several metrics and with corners by several rules, and the one that a fit likes best.
 #pragma once
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "base/stage.h"
 #include "knotfit/parameterize_mesh.h"
 #include "parameterize/mesh_border.h"
 #include "parameterize/mesh_elimination.h"
@@ -18,11 +18,6 @@ struct Choices {
   int newton_rounds = 30;
 };
 
-struct Watch {
-  std::function<void(double)> report;  ///< share of the work done; from the calling thread
-  std::function<bool()> stop;          ///< asked from any thread
-};
-
 struct ChosenMap {
   std::vector<double> uv;  ///< halving vertices too
   Corners corners{};
@@ -33,6 +28,6 @@ struct ChosenMap {
 
 /// Every choice for a few rounds of Newton, the better ones for more, the best two to the end; the
 /// least merit of a trial fit wins. Independent of the number of threads.
-ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Watch& watch);
+ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Stage& stage);
 
 }  // namespace knotfit::mesh_map

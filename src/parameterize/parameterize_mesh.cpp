@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "knotfit/exceptions.h"
@@ -89,17 +88,12 @@ MeshMap parameterize_mesh(const Mesh& mesh, const MeshMapOptions& options, const
                     disk.loop.size()));
   const Choices choices = choices_of(options, disk);
 
-  const auto start = std::chrono::steady_clock::now();
-  mesh_map::Watch watch;
-  watch.stop = [&] { return control.stop.stop_requested() || out_of_time(control, start); };
-  watch.report = [&](double fraction) {
-    if (control.progress) control.progress({.stage = "map", .fraction = fraction});
-  };
-  watch.report(0);
-  const mesh_map::ChosenMap chosen = best_map(disk, choices, watch);
+  const Stage stage(control, "map");
+  stage.report(0);
+  const mesh_map::ChosenMap chosen = best_map(disk, choices, stage);
 
   MeshMap map;
-  map.stopped = watch.stop();
+  map.stopped = stage.over();
   map.quality = measure_quality(disk, chosen.uv);
   map.uv.assign(chosen.uv.begin(), chosen.uv.begin() + 2 * disk.own);
   map.halved_uv.assign(chosen.uv.begin() + 2 * disk.own, chosen.uv.end());

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/stage.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/verify.h"
 #include "verify/cell_places.h"
@@ -22,26 +22,6 @@ constexpr double kPromise = 0.5;  // error bars up to this share of the toleranc
 // A survey of 4 000 places missed the tops of the error by up to 12 % on the synthetic sets.
 constexpr std::size_t kSummits = 24;  // halved each round down to four
 constexpr int kClimbRounds = 6;
-
-// Stops where the caller does, or the time is over.
-class Watch {
- public:
-  Watch(const Control& control, Index places) : control_(control), places_(places) {}
-  bool over() const { return control_.stop.stop_requested() || out_of_time(control_, start_); }
-  void report(Index done, double tolerance) const {
-    if (!control_.progress) return;
-    Progress progress;
-    progress.stage = "between";
-    progress.fraction = static_cast<double>(done) / static_cast<double>(std::max<Index>(1, places_));
-    progress.tolerance = tolerance;
-    control_.progress(progress);
-  }
-
- private:
-  const Control& control_;
-  Index places_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 void check(const Surface& surface, const ParameterizedPoints& points, double tolerance,
            const BetweenOptions& options) {
@@ -165,8 +145,9 @@ bool climb(BetweenReport& report, std::vector<Candidate> at, double radius, cons
 BetweenReport measure_between(const Surface& surface, const ParameterizedPoints& points, double tolerance,
                               const BetweenOptions& options, const Control& control) {
   check(surface, points, tolerance, options);
-  const Watch watch(control, options.random_places + options.gap_places);
-  if (watch.over()) return {};
+  const Stage stage(control, "between");
+  const auto all = static_cast<double>(std::max<Index>(1, options.random_places + options.gap_places));
+  if (stage.over()) return {};
   const verify::ReferenceField field(points, tolerance, options.metric_u, options.metric_v, options.seed);
 
   verify::Random random(options.seed, verify::Random::Stream::places);
@@ -175,25 +156,23 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
     const double s = random(), t = random();
     p = points.map.shear(s, t);  // where there is data, whatever the parameters
   }
-  if (watch.over()) return {};
+  if (stage.over()) return {};
   for (const Place& p : verify::gap_places(field.neighbours(), options.gap_places, options.seed))
     if (points.map.covers(p[0], p[1])) places.push_back(p);
   for (const Place& p : verify::cell_places(surface, points, options.cell_places))
     if (points.map.covers(p[0], p[1])) places.push_back(p);
-  const std::vector<ReferenceValue> reference = field.at(places, [&](Index done) {
-    watch.report(done, tolerance);
-    return !watch.over();
-  });
+  const std::vector<ReferenceValue> reference = field.at(
+      places, [&](Index done) { return !stage.report(static_cast<double>(done) / all, -1, tolerance); });
   if (reference.size() != places.size()) return {};
   std::vector<Candidate> candidates;
   BetweenReport report = summarize(surface, places, reference, options.random_places, tolerance, candidates);
   // The distance between places of the survey, about: below it nothing is known of the surface yet.
   const double spacing = 1 / std::sqrt(static_cast<double>(std::max<Index>(1, report.places)));
   if (!climb(report, summits(std::move(candidates), 2 * spacing), spacing / 2, surface, points.map, field,
-             tolerance, [&] { return !watch.over(); }))
+             tolerance, [&] { return !stage.over(); }))
     return {};
   report.noise = field.noise();
-  watch.report(report.places, tolerance);
+  stage.report(static_cast<double>(report.places) / all, -1, tolerance);
   return report;
 }
 
