@@ -73,6 +73,14 @@ std::span<const PlacementMethod> placement_methods();
 /// The method of that name. \throws InvalidInput  unknown; lists those there are
 const PlacementMethod& placement_method(std::string_view name);
 
+/// A row of the table of feature measures, which FeatureMeasure numbers.
+struct FeatureMeasureInfo {
+  FeatureMeasure measure;
+  std::string_view name;     ///< such as "hessian"
+  std::string_view summary;  ///< one line
+};
+std::span<const FeatureMeasureInfo> feature_measures();
+
 /// Places knots by the method of that name.
 /// \throws InvalidInput  an unknown name (lists those there are), options out of range
 Placement place_knots(std::string_view method, const ParameterizedPoints& points,

@@ -11,12 +11,6 @@
 namespace knotfit {
 namespace {
 
-constexpr std::pair<std::string_view, FeatureMeasure> kMeasures[] = {
-    {"hessian", FeatureMeasure::hessian},
-    {"curvature", FeatureMeasure::curvature},
-    {"derivative", FeatureMeasure::derivative},
-    {"residual", FeatureMeasure::residual}};
-
 constexpr std::string_view kGiven = "given";  ///< FitOptions::user_features
 
 bool by_given_features(std::string_view name) {
@@ -42,7 +36,8 @@ std::vector<std::string> wanted_methods(const CompareOptions& options) {
         add(std::string(m.name));
         continue;
       }
-      for (const auto& [measure, value] : kMeasures) add(fmt::format("criterion:{}", measure));
+      for (const FeatureMeasureInfo& measure : feature_measures())
+        add(fmt::format("criterion:{}", measure.name));
       if (!options.fit.user_features.empty()) add(fmt::format("criterion:{}", kGiven));
     }
   }
@@ -65,11 +60,13 @@ std::pair<std::string, FeatureMeasure> split_method(std::string_view name, Featu
   if (colon == std::string_view::npos) return {std::string(method), otherwise};
   const std::string_view measure = name.substr(colon + 1);
   if (measure == kGiven) return {std::string(method), otherwise};
-  for (const auto& [known_measure, value] : kMeasures)
-    if (measure == known_measure) return {std::string(method), value};
-  throw InvalidInput(fmt::format(
-      "there is no feature measure '{}'; there are hessian, curvature, derivative, residual, given",
-      measure));
+  std::string measures;
+  for (const FeatureMeasureInfo& m : feature_measures()) {
+    if (measure == m.name) return {std::string(method), m.measure};
+    measures += fmt::format("{}, ", m.name);
+  }
+  throw InvalidInput(
+      fmt::format("there is no feature measure '{}'; there are {}{}", measure, measures, kGiven));
 }
 
 std::vector<CompareRow> comparison_rows(const CompareOptions& options) {

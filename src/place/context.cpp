@@ -41,32 +41,9 @@ InteriorKnots PlacementContext::pre_fit_knots(double share) const {
   return {knots(root, degree), knots(root, degree)};
 }
 
-FeatureMap PlacementContext::measure_features() {
-  const FeatureMeasure wanted = options_.feature;
-  if (wanted == FeatureMeasure::residual) {
-    if (problem_.solve({uniform_knots(options_.interior_u), uniform_knots(options_.interior_v)}))
-      return residual_features(problem_.points(), problem_.errors());
-    return {1, 1, {1.0}};
-  }
-  const InteriorKnots knots = pre_fit_knots(0.6);
-  if (wanted == FeatureMeasure::derivative) {
-    LeastSquaresOptions fit;
-    fit.smoothing = options_.smoothing;
-    fit.refinement_steps = 0;
-    fit.estimate_condition = false;
-    fit.energy = options_.energy;
-    FitProblem higher(problem_.points(), std::min(problem_.degree_u() + 1, kMaxDegree),
-                      std::min(problem_.degree_v() + 1, kMaxDegree), fit);
-    ++other_fits_;
-    return higher.solve(knots) ? derivative_features(higher.surface()) : FeatureMap{1, 1, {1.0}};
-  }
-  if (!problem_.solve(knots)) return {1, 1, {1.0}};  // no fit to measure: no place is better than another
-  const Surface s = problem_.surface();
-  return wanted == FeatureMeasure::curvature ? curvature_features(s) : hessian_features(s);
-}
-
 const FeatureMap& PlacementContext::features() {
-  if (!features_) features_ = options_.user_features.empty() ? measure_features() : options_.user_features;
+  if (!features_)
+    features_ = options_.user_features.empty() ? measure_features(*this) : options_.user_features;
   return *features_;
 }
 

@@ -39,6 +39,7 @@ class PlacementContext {
   const RowGrid& row_grid();
   /// Linear fits made on problems of its own.
   long other_fits() const { return other_fits_; }
+  void count_other_fits(long fits) { other_fits_ += fits; }
   /// Sentences for the user, gathered while placing.
   const std::vector<std::string>& notes() const { return notes_; }
   void note(std::string sentence);
@@ -57,8 +58,10 @@ class PlacementContext {
   std::optional<RowGrid> row_grid_;
   std::vector<std::string> notes_;
   long other_fits_ = 0;
-  FeatureMap measure_features();
 };
+
+/// The feature measure of the options; feature_measures.cpp lists them.
+FeatureMap measure_features(PlacementContext& context);
 
 /// The body of a method: knots at counts (interior_u, interior_v).
 using PlaceFunction = Placement (*)(PlacementContext& context, int interior_u, int interior_v);
