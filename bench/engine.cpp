@@ -1,12 +1,12 @@
 // The parts that every search is made of: fits, the Jacobian in the knots, a Levenberg-Marquardt step, evaluation.
 #include <benchmark/benchmark.h>
 
-#include "fit/problem.h"
-#include "fit/scattered.h"
+#include "fit/moving_fit.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/place.h"
 #include "place/levenberg.h"
 #include "place/shares.h"
+#include "solve/banded_system.h"
 #include "support/synthetic.h"
 #include "verify/reference_field.h"
 namespace knotfit {
@@ -38,7 +38,7 @@ void set_counters(benchmark::State& state, const ParameterizedPoints& points) {
 /// Assembly, factor, solve and residuals of scattered points. Arguments: points, spans a direction.
 void scattered_fit(benchmark::State& state, const char* surface) {
   const ParameterizedPoints points = test::synthetic_points(surface, state.range(0));
-  FitProblem problem(points, 3, 3, searching());
+  MovingFit problem(points, 3, 3, searching());
   InTurn knots(static_cast<int>(state.range(1)));
   for (auto _ : state) {
     problem.solve(knots.next());
@@ -80,17 +80,16 @@ void BM_GridFit(benchmark::State& state) {
 /// Kaufman's Jacobian products in all knots, the fit given; third argument 1: the exact one.
 void BM_KnotJacobian(benchmark::State& state) {
   const ParameterizedPoints points = test::synthetic_points("franke", state.range(0));
-  FitProblem problem(points, 3, 3, searching());
+  MovingFit problem(points, 3, 3, searching());
   problem.solve(InTurn(static_cast<int>(state.range(1))).moved);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(problem.scattered().knot_jacobian(problem.net(), state.range(2) == 1));
+  for (auto _ : state) benchmark::DoNotOptimize(problem.jacobian(state.range(2) == 1));
   set_counters(state, points);
 }
 
 /// One accepted step of the knots: Jacobian, damped normal equations, the fit at the new knots.
 void BM_LevenbergStep(benchmark::State& state) {
   const ParameterizedPoints points = test::synthetic_points("franke", state.range(0));
-  FitProblem problem(points, 3, 3, searching());
+  MovingFit problem(points, 3, 3, searching());
   const InteriorKnots start = InTurn(static_cast<int>(state.range(1))).moved;
   for (auto _ : state) {
     state.PauseTiming();
@@ -115,7 +114,7 @@ void BM_PlaceOptimal(benchmark::State& state) {
 /// The surface at many scattered parameters.
 void BM_Evaluate(benchmark::State& state) {
   const ParameterizedPoints points = test::synthetic_points("franke", 10000);
-  FitProblem problem(points, 3, 3, searching());
+  MovingFit problem(points, 3, 3, searching());
   problem.solve(InTurn(20).moved);
   const Surface surface = problem.surface();
   test::Uniform random(7);

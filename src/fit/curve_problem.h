@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "fit/data_energy.h"
 #include "knotfit/curve.h"
 #include "knotfit/curve_points.h"
 #include "knotfit/tolerance.h"
+#include "solve/data_energy.h"
 namespace knotfit {
 
 /// Knots of an open curve are interior ones of [0,1]; of a closed curve all of one period, increasing, from the seam

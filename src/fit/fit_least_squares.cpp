@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "fit/data_energy.h"
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
+#include "solve/data_energy.h"
 namespace knotfit {
 
 std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale) {

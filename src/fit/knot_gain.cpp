@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fit/scattered.h"
 namespace knotfit {
 namespace {
 
@@ -19,11 +18,11 @@ inline void span_values(const Axis& axis, Index s, double t, double* values) {
 
 }  // namespace
 
-std::vector<double> knot_gains(FitProblem& fitted, bool along_v) {
+std::vector<double> knot_gains(const MovingFit& fitted, bool along_v) {
   const Axis& along = along_v ? fitted.axis_v() : fitted.axis_u();
   const Axis& across = along_v ? fitted.axis_u() : fitted.axis_v();
-  const CellOrder& points = fitted.scattered().points();
-  const std::vector<double>& residual = fitted.scattered().residual();
+  const CellOrder& points = fitted.system().points();
+  const std::vector<double>& residual = fitted.system().residual();
   const int m = along.degree(), reach = (m + 1) / 2 + 1, d = points.dimension();
   const Index spans = along.spans(), nj = across.functions();
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/kernels.h"
-#include "fit/scattered.h"
 #include "knotfit/basis.h"
 #include "solve/banded.h"
+#include "solve/banded_system.h"
 #include "solve/degrees.h"
 #include "solve/gauss_rule.h"
+#include "solve/point_kernels.h"
 #include "solve/spans_in_turn.h"
 namespace knotfit {
 
@@ -101,9 +101,11 @@ struct SpanSums {
 
 }  // namespace
 
-KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, bool golub_pereyra) const {
-  const Axis &outer = *outer_, &inner = *inner_;
-  const int d = order_.dimension(), mo = outer.degree(), mi = inner.degree();
+KnotJacobian knot_jacobian(const BandedSystem& system, const std::vector<double>& net, bool golub_pereyra) {
+  const Axis &outer = system.outer(), &inner = system.inner();
+  const CellOrder& order = system.points();
+  const bool swapped = system.swapped();
+  const int d = order.dimension(), mo = outer.degree(), mi = inner.degree();
   const Index no = outer.functions(), ni = inner.functions(), n = no * ni;
   const Index ko = outer.spans() - 1, ki = inner.spans() - 1, knots = ko + ki;
   // Columns in the order outer knots, inner knots; put right at the end.
@@ -111,14 +113,15 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
                             inner_derivatives = knot_derivatives(inner);
   const std::vector<double>&outer_products = legendre_products(mo), &inner_products = legendre_products(mi);
   const int stride = padded(inner.moments()), coefficients = outer.width() * inner.width();
-  const Index matrix_size = Index{outer.moments()} * stride, rhs_size = Index{d} * coefficients;
-  const auto& start = order_.piece_start();
-  const auto& pieces = order_.pieces();
+  const Index rhs_size = Index{d} * coefficients;
+  const auto& start = order.piece_start();
+  const auto& pieces = order.pieces();
 
   // Moments of w r, by piece.
   std::vector<double> residual_moments(pieces.size() * rhs_size, 0.0);
   parallel_for(static_cast<Index>(pieces.size()), [&](Index i) {
-    add_rhs_moments(order_, pieces[i], mo, mi, residual_.data(), residual_moments.data() + i * rhs_size);
+    add_rhs_moments(order, pieces[i], mo, mi, system.residual().data(),
+                    residual_moments.data() + i * rhs_size);
   });
 
   std::vector<SpanSums> partial(outer.spans());
@@ -152,8 +155,7 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
         const Index cell = s * inner.spans() + t;
         if (start[cell] == start[cell + 1]) continue;
         const Eigen::Map<const Matrix<q, q>, 0, Eigen::OuterStride<>> moments(
-            moments_.data() + start[cell] * (matrix_size + rhs_size), outer.moments(), inner.moments(),
-            Eigen::OuterStride<>(stride));
+            system.cell_moments(cell), outer.moments(), inner.moments(), Eigen::OuterStride<>(stride));
         half.noalias() = po.lazyProduct(moments);
         gram.noalias() = half.lazyProduct(pi.transpose());
         for (int a = 0; a < wo; ++a)
@@ -169,7 +171,7 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
         for (int x = 0; x < d; ++x) {
           for (int i = 0; i < wo; ++i)
             for (int j = 0; j < wi; ++j)
-              c(i, j) = net[(swapped_ ? (t + j) * no + s + i : (s + i) * ni + t + j) * d + x];
+              c(i, j) = net[(swapped ? (t + j) * no + s + i : (s + i) * ni + t + j) * d + x];
           left.noalias() = c * bi.transpose();  // functions of u, powers of v
           right.noalias() = bo * c;
           r.setZero();
@@ -221,8 +223,8 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
     for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] += p.matrix[i];
     for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += p.gradient[i];
   }
-  matrix_.forward(projected);
-  if (golub_pereyra) matrix_.forward(weighted);
+  system.matrix().forward(projected);
+  if (golub_pereyra) system.matrix().forward(weighted);
   for (int x = 0; x < d; ++x) {
     projected.add_gram(x * knots, knots, -1, matrix.data());
     if (golub_pereyra) weighted.add_gram(x * knots, knots, 1, matrix.data());
@@ -232,7 +234,7 @@ KnotJacobian ScatteredBackend::knot_jacobian(const std::vector<double>& net, boo
   result.knots = static_cast<std::size_t>(knots);
   result.matrix.resize(knots * knots);
   result.gradient.resize(knots);
-  auto place = [&](Index k) { return swapped_ ? (k < ko ? ki + k : k - ko) : k; };
+  auto place = [&](Index k) { return swapped ? (k < ko ? ki + k : k - ko) : k; };
   for (Index i = 0; i < knots; ++i) {
     result.gradient[place(i)] = gradient[i];
     for (Index j = 0; j < knots; ++j) result.matrix[place(i) * knots + place(j)] = matrix[i * knots + j];

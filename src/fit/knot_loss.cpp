@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/scattered.h"
 namespace knotfit {
 
 KnotFunctional knot_functional(const KnotVector& knots, Index knot) {
@@ -28,15 +27,15 @@ KnotFunctional knot_functional(const KnotVector& knots, Index knot) {
   return functional;
 }
 
-std::vector<double> knot_losses(FitProblem& fitted, bool along_v) {
-  return fitted.scattered().knot_losses(fitted.net(), along_v);
-}
-
-std::vector<double> ScatteredBackend::knot_losses(const std::vector<double>& net, bool along_v) const {
-  const bool along_outer = along_v == swapped_;
-  const Axis &along = along_outer ? *outer_ : *inner_, &across = along_outer ? *inner_ : *outer_;
-  const Index no = outer_->functions(), ni = inner_->functions(), n = no * ni, nj = across.functions();
-  const int d = order_.dimension();
+std::vector<double> knot_losses(const MovingFit& fitted, bool along_v) {
+  const BandedSystem& system = fitted.system();
+  const std::vector<double>& net = fitted.net();
+  const bool swapped = system.swapped(), along_outer = along_v == swapped;
+  const Axis &along = along_outer ? system.outer() : system.inner(),
+             &across = along_outer ? system.inner() : system.outer();
+  const Index no = system.outer().functions(), ni = system.inner().functions(), n = no * ni,
+              nj = across.functions();
+  const int d = system.points().dimension();
   std::vector<double> losses(along.spans() - 1);
   for (Index l = 0; l < static_cast<Index>(losses.size()); ++l) {
     const KnotFunctional f = knot_functional(along.knots(), l);
@@ -47,9 +46,9 @@ std::vector<double> ScatteredBackend::knot_losses(const std::vector<double>& net
         const Index a = along_outer ? f.first + static_cast<Index>(i) : j,
                     b = along_outer ? j : f.first + static_cast<Index>(i);
         constraint(a * ni + b, j) = f.entry[i];
-        for (int e = 0; e < d; ++e) z(j, e) += f.entry[i] * net[(swapped_ ? b * no + a : a * ni + b) * d + e];
+        for (int e = 0; e < d; ++e) z(j, e) += f.entry[i] * net[(swapped ? b * no + a : a * ni + b) * d + e];
       }
-    matrix_.forward(constraint);
+    system.matrix().forward(constraint);
     Eigen::MatrixXd s = Eigen::MatrixXd::Zero(nj, nj);
     constraint.add_gram(0, nj, 1, s.data());
     losses[l] = z.cwiseProduct(s.ldlt().solve(z)).sum();

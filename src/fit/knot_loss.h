@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "fit/problem.h"
+#include "fit/moving_fit.h"
 namespace knotfit {
 
 /// Rise of phi (smoothing terms included) when each interior knot of one direction is dropped, the others
@@ -10,7 +10,7 @@ namespace knotfit {
 ///
 /// The nets that need no knot are those with d^T c = 0, d the functional that knot insertion leaves out
 /// [Boehm80]; minimising under that constraint costs z^T (C G^-1 C^T)^-1 z, z = C c [Golub13 6.2.3].
-std::vector<double> knot_losses(FitProblem& fitted, bool along_v);
+std::vector<double> knot_losses(const MovingFit& fitted, bool along_v);
 
 /// The functional: entries d_i of functions first..first+size-1 that vanish on every spline without the knot.
 struct KnotFunctional {

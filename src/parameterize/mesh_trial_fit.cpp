@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/evaluate.h"
 namespace knotfit::mesh_map {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/deadline.h"
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/deadline.h"
 #include "data/thinned.h"
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
 #include "pipeline/request.h"
 namespace knotfit {

@@ -9,7 +9,7 @@
 
 #include "base/deadline.h"
 #include "data/crowding.h"
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
 #include "pipeline/choose_knots.h"
 #include "pipeline/message.h"

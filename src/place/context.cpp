@@ -20,6 +20,21 @@ PlacementContext::PlacementContext(FitProblem& problem, PlacementOptions options
   if (!options_.user_features.empty()) validate(options_.user_features);
 }
 
+PlacementContext::PlacementContext(MovingFit& problem, PlacementOptions options, const Control& control)
+    : PlacementContext(static_cast<FitProblem&>(problem), std::move(options), control) {
+  moving_ = &problem;
+}
+
+MovingFit& PlacementContext::moving() {
+  if (moving_) return *moving_;
+  LeastSquaresOptions fit;
+  fit.smoothing = options_.smoothing;
+  fit.refinement_steps = 0;
+  fit.estimate_condition = false;
+  fit.energy = options_.energy;
+  return own_moving_.emplace(problem_.points(), problem_.degree_u(), problem_.degree_v(), fit);
+}
+
 InteriorKnots PlacementContext::pre_fit_knots(double share) const {
   const ParameterizedPoints& points = problem_.points();
   constexpr std::size_t kFew = 8;  // lines

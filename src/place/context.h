@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "fit/problem.h"
+#include "fit/moving_fit.h"
 #include "knotfit/control.h"
 #include "knotfit/place.h"
 #include "place/row_grid.h"
@@ -23,8 +23,11 @@ class PlacementContext {
  public:
   /// \param problem  set to the degrees of `options`; outlives the context
   PlacementContext(FitProblem& problem, PlacementOptions options, const Control& control);
+  PlacementContext(MovingFit& problem, PlacementOptions options, const Control& control);
 
   FitProblem& problem() { return problem_; }
+  /// For knots that move: the problem, or one of its own of the same points where that cannot.
+  MovingFit& moving();
   const PlacementOptions& options() const { return options_; }
   PlacementOptions& options() { return options_; }
   /// Stopped, or out of time.
@@ -38,7 +41,7 @@ class PlacementContext {
   /// The points as rows; made once. What it did to them becomes a note of the placement.
   const RowGrid& row_grid();
   /// Linear fits made on problems of its own.
-  long other_fits() const { return other_fits_; }
+  long other_fits() const { return other_fits_ + (own_moving_ ? own_moving_->fits() : 0); }
   void count_other_fits(long fits) { other_fits_ += fits; }
   /// Sentences for the user, gathered while placing.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -50,6 +53,8 @@ class PlacementContext {
 
  private:
   FitProblem& problem_;
+  MovingFit* moving_ = nullptr;  ///< the problem, where it is one
+  std::optional<MovingFit> own_moving_;
   PlacementOptions options_;
   const Control& control_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

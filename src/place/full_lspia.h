@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 namespace knotfit {
 
 struct FullLspiaOptions {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/scattered.h"
 #include "place/damped_step.h"
 namespace knotfit {
 namespace {
@@ -17,10 +16,9 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 SpacingStep::SpacingStep(const KnotJacobian& jacobian, const InteriorKnots& knots)
     : SpacingStep(jacobian, knots, std::nullopt) {}
 
-SpacingStep::SpacingStep(FitProblem& problem, const InteriorKnots& knots, bool golub_pereyra,
+SpacingStep::SpacingStep(MovingFit& problem, const InteriorKnots& knots, bool golub_pereyra,
                          double scale_matrix, double scale_gradient)
-    : SpacingStep(problem.scattered().knot_jacobian(problem.net(), golub_pereyra), knots,
-                  Scales{scale_matrix, scale_gradient}) {}
+    : SpacingStep(problem.jacobian(golub_pereyra), knots, Scales{scale_matrix, scale_gradient}) {}
 
 SpacingStep::SpacingStep(const KnotJacobian& jacobian, const InteriorKnots& knots,
                          std::optional<Scales> scales)
@@ -58,7 +56,7 @@ double SpacingStep::predicted_fall() const {
   return knotfit::predicted_fall(matrix_, gradient_, step_);
 }
 
-double minimize_over_knots(FitProblem& problem, InteriorKnots& knots, const LevenbergOptions& options) {
+double minimize_over_knots(MovingFit& problem, InteriorKnots& knots, const LevenbergOptions& options) {
   if (!problem.solve(knots)) return std::numeric_limits<double>::infinity();
   double phi = problem.phi();
   Damping damping;

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "fit/knot_jacobian.h"
-#include "fit/problem.h"
+#include "fit/moving_fit.h"
 #include "place/knot_spacings.h"
 namespace knotfit {
 
@@ -24,7 +24,7 @@ class SpacingStep {
   /// \param jacobian  J^T W J and J^T W r in the knots
   SpacingStep(const KnotJacobian& jacobian, const InteriorKnots& knots);
   /// Of a problem that holds a net with its residuals and the factor of its weights.
-  SpacingStep(FitProblem& problem, const InteriorKnots& knots, bool golub_pereyra, double scale_matrix = 1,
+  SpacingStep(MovingFit& problem, const InteriorKnots& knots, bool golub_pereyra, double scale_matrix = 1,
               double scale_gradient = 1);
   /// Solves with damping mu; no entry beyond `most`. \return false where the matrix is singular
   bool solve(double mu, double most);
@@ -44,6 +44,6 @@ class SpacingStep {
 
 /// Minimises phi over the knots from `knots`; equal knots move as one. The problem holds the fit of
 /// the result. \return phi there; infinity where the start cannot be fitted
-double minimize_over_knots(FitProblem& problem, InteriorKnots& knots, const LevenbergOptions& options = {});
+double minimize_over_knots(MovingFit& problem, InteriorKnots& knots, const LevenbergOptions& options = {});
 
 }  // namespace knotfit

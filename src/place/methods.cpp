@@ -133,14 +133,17 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   fit.smoothing = options.smoothing;
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
-  fit.use_grid = !placement_method(method).traits.moves_knots;
   fit.energy = options.energy;
-  FitProblem problem(points, options.degree_u, options.degree_v, fit);
-  PlacementContext context(problem, options, control);
-  Placement placement = place(context, options.interior_u, options.interior_v);
-  placement.fits = problem.fits() + context.other_fits();
-  placement.notes.insert(placement.notes.end(), context.notes().begin(), context.notes().end());
-  return placement;
+  const auto place_in = [&](auto&& problem) {
+    PlacementContext context(problem, options, control);
+    Placement placement = place(context, options.interior_u, options.interior_v);
+    placement.fits = problem.fits() + context.other_fits();
+    placement.notes.insert(placement.notes.end(), context.notes().begin(), context.notes().end());
+    return placement;
+  };
+  return placement_method(method).traits.moves_knots
+             ? place_in(MovingFit(points, options.degree_u, options.degree_v, fit))
+             : place_in(FitProblem(points, options.degree_u, options.degree_v, fit));
 }
 
 }  // namespace knotfit

@@ -31,7 +31,7 @@ double squared_values(const ParameterizedPoints& points) {
 ///  3. ties: near pairs of knots become one of higher multiplicity where phi falls;
 ///  4. the least phi of all, relocated once more: four knots, each tried at three peaks of the gain.
 Placement place_optimal(PlacementContext& context, int interior_u, int interior_v) {
-  FitProblem& problem = context.problem();
+  MovingFit& problem = context.moving();
   std::vector<InteriorKnots> starts;
   context.options().rounds = 4;
   context.options().keep_by = {0, ErrorMeasure::rms};

@@ -16,7 +16,7 @@ std::vector<double>& line(InteriorKnots& knots, bool along_v) {
 
 /// Middles of the spans where the gain of a knot peaks in the present fit, the greatest first; one at least, at most so
 /// many.
-std::vector<double> gain_peaks(FitProblem& problem, bool along_v, std::size_t most) {
+std::vector<double> gain_peaks(MovingFit& problem, bool along_v, std::size_t most) {
   const std::vector<double> gain = knot_gains(problem, along_v);
   std::vector<Index> spans;
   const auto n = static_cast<Index>(gain.size());
@@ -37,7 +37,7 @@ void insert(InteriorKnots& knots, bool along_v, double at) {
 }
 
 /// What each knot of a direction is worth; all alike where these knots cannot be fitted.
-std::vector<double> losses(FitProblem& problem, const InteriorKnots& knots, bool along_v) {
+std::vector<double> losses(MovingFit& problem, const InteriorKnots& knots, bool along_v) {
   if (problem.solve(knots)) return knot_losses(problem, along_v);
   return std::vector<double>((along_v ? knots.v : knots.u).size(), 0.0);
 }
@@ -49,7 +49,7 @@ LevenbergOptions with_steps(LevenbergOptions options, int steps) {
 
 /// Drops a knot and tries it at the peaks of the gain. \return true where one lowers phi by more than options.gain, and
 /// is taken
-bool relocate_knot(FitProblem& problem, InteriorKnots& knots, double& phi, bool along_v, std::size_t dropped,
+bool relocate_knot(MovingFit& problem, InteriorKnots& knots, double& phi, bool along_v, std::size_t dropped,
                    const LevenbergOptions& levenberg, const RelocationOptions& options) {
   InteriorKnots fewer = knots;
   auto& k = line(fewer, along_v);
@@ -71,8 +71,8 @@ bool relocate_knot(FitProblem& problem, InteriorKnots& knots, double& phi, bool 
 
 }  // namespace
 
-double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
-                      const LevenbergOptions& levenberg, const RelocationOptions& options) {
+double relocate_knots(MovingFit& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg,
+                      const RelocationOptions& options) {
   for (int pass = 0; pass < options.passes; ++pass) {
     bool moved = false;
     for (bool along_v : {false, true}) {
@@ -97,7 +97,7 @@ double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
 namespace {
 
 /// Ties the first of the nearest pairs of distinct knots of a direction that lowers phi. \return whether one did
-bool tie_a_pair(FitProblem& problem, InteriorKnots& knots, double& phi, bool along_v,
+bool tie_a_pair(MovingFit& problem, InteriorKnots& knots, double& phi, bool along_v,
                 const LevenbergOptions& levenberg) {
   constexpr std::size_t kPairs = 3;  // tried
   const int degree = along_v ? problem.degree_v() : problem.degree_u();
@@ -126,7 +126,7 @@ bool tie_a_pair(FitProblem& problem, InteriorKnots& knots, double& phi, bool alo
 
 }  // namespace
 
-double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg) {
+double tie_knots(MovingFit& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg) {
   // Another pass after a pair was tied: what the other direction gains shows once this one's error is gone.
   for (bool tied = true; tied;) {
     tied = false;
@@ -138,7 +138,7 @@ double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const Le
   return phi;
 }
 
-InteriorKnots adapt_knots(FitProblem& problem, InteriorKnots knots, std::size_t count_u, std::size_t count_v,
+InteriorKnots adapt_knots(MovingFit& problem, InteriorKnots knots, std::size_t count_u, std::size_t count_v,
                           const LevenbergOptions& levenberg, int steps) {
   const LevenbergOptions few = with_steps(levenberg, steps);
   for (bool along_v : {false, true}) {

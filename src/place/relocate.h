@@ -12,16 +12,16 @@ struct RelocationOptions {
 
 /// Drops the knot of least loss, inserts one where the gain peaks, optimises, keeps it if phi falls; until
 /// a pass over both directions finds none. The problem holds the fit of the result. \return phi there
-double relocate_knots(FitProblem& problem, InteriorKnots& knots, double phi,
-                      const LevenbergOptions& levenberg, const RelocationOptions& options = {});
+double relocate_knots(MovingFit& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg,
+                      const RelocationOptions& options = {});
 
 /// Ties the nearest knots into multiple ones, one unknown each, where that lowers phi: the data has a crease or
 /// a jump there. \return phi
-double tie_knots(FitProblem& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg);
+double tie_knots(MovingFit& problem, InteriorKnots& knots, double phi, const LevenbergOptions& levenberg);
 
 /// Adds knots at the greatest gain or drops those of least loss, `steps` Levenberg-Marquardt steps after
 /// each, until the counts are reached.
-InteriorKnots adapt_knots(FitProblem& problem, InteriorKnots knots, std::size_t count_u, std::size_t count_v,
+InteriorKnots adapt_knots(MovingFit& problem, InteriorKnots knots, std::size_t count_u, std::size_t count_v,
                           const LevenbergOptions& levenberg, int steps = 2);
 
 }  // namespace knotfit

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 namespace knotfit {
 
 /// Positions X(u_i, v_j): the values, or (u, v, z) where they have one component.

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "fit/scattered.h"
+#include "fit/moving_fit.h"
 #include "search/routes.h"
 #include "verify/swing_limits.h"
 namespace knotfit {
@@ -122,8 +122,8 @@ bool Attempts::mend(const FitProblem& problem, const verify::SwingSites::Strays&
     points.uv.insert(points.uv.end(), strays.uv.begin(), strays.uv.end());
     points.values.insert(points.values.end(), strays.values.begin(), strays.values.end());
     if (!points.weights.empty()) points.weights.resize(points.uv.size() / 2, weight);
-    FitProblem held(points, problem.degree_u(), problem.degree_v(), search_fits(options_));
-    held.scattered().count_first(data_.points().size());
+    MovingFit held(points, problem.degree_u(), problem.degree_v(), search_fits(options_));
+    held.count_first(data_.points().size());
     ++mend_fits_;
     if (!held.solve(problem.knots()) || !holds(held.measured(options_.tolerance))) return false;
     strays = {};

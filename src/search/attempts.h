@@ -2,7 +2,7 @@
 #pragma once
 #include <limits>
 
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "search/search_run.h"
 #include "verify/swings.h"
 namespace knotfit {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "fit/scattered.h"
 #include "knotfit/evaluate.h"
 #include "search/cover.h"
 namespace knotfit {
@@ -56,7 +55,7 @@ double Guard::slack(const Site& site) const {
   return e > 1 || site.reference.gap > verify::kHole ? infinity() : kSlack + e;
 }
 
-std::vector<Index> Guard::sites_that_matter(FitProblem& problem, bool fill_only) {
+std::vector<Index> Guard::sites_that_matter(MovingFit& problem, bool fill_only) {
   const Axis &u = problem.axis_u(), &v = problem.axis_v();
   std::vector<Index> count(u.spans() * v.spans(), 0);
   for (Index k = 0; k < points_.size(); ++k) ++count[u.span(points_.u(k)) * v.spans() + v.span(points_.v(k))];
@@ -94,8 +93,8 @@ void Guard::join(Site& site) {
   site.state = Site::joined;
 }
 
-PointShares Guard::shares(FitProblem& problem) const {
-  const CellOrder& order = problem.scattered().points();
+PointShares Guard::shares(MovingFit& problem) const {
+  const CellOrder& order = problem.order();
   PointShares shares{std::vector<double>(order.size()), std::vector<double>(order.size())};
   for (Index i = 0; i < order.size(); ++i) {
     shares.base[i] = base_[order.input(i)];
@@ -104,13 +103,13 @@ PointShares Guard::shares(FitProblem& problem) const {
   return shares;
 }
 
-Index Guard::fill(FitProblem& problem) {
+Index Guard::fill(MovingFit& problem) {
   const std::vector<Index> sites = sites_that_matter(problem, true);
   for (Index i : sites) join(sites_[i]);
   return static_cast<Index>(sites.size());
 }
 
-void Guard::watch_empty_cells(FitProblem& problem) {
+void Guard::watch_empty_cells(MovingFit& problem) {
   const Axis &u = problem.axis_u(), &v = problem.axis_v();
   std::vector<char> held(u.spans() * v.spans(), 0);
   auto cell = [&](double x, double y) { return u.span(x) * v.spans() + v.span(y); };
@@ -124,7 +123,7 @@ void Guard::watch_empty_cells(FitProblem& problem) {
     }
 }
 
-Index Guard::exchange(FitProblem& problem) {
+Index Guard::exchange(MovingFit& problem) {
   watch_empty_cells(problem);
   const std::vector<Index> sites = sites_that_matter(problem, false);
   std::vector<double> uv;

@@ -35,13 +35,13 @@ class Guard {
   Index fill_count() const { return points_.size() - data_count_; }
 
   /// Shares of the points in the problem's stored order.
-  PointShares shares(FitProblem& problem) const;
+  PointShares shares(MovingFit& problem) const;
   /// The fill points that matter to the problem's present knots join for good: the problem has to take
   /// them in. \return their number
-  Index fill(FitProblem& problem);
+  Index fill(MovingFit& problem);
   /// Likewise the places, of fill and reserve and in the middle of empty cells, where its present surface is above 1.02
   /// slack tolerance.
-  Index exchange(FitProblem& problem);
+  Index exchange(MovingFit& problem);
 
  private:
   struct Site {
@@ -53,9 +53,9 @@ class Guard {
   };
   void watch(const std::array<double, 2>& place, bool fill);
   /// The cover's steps miss cells that are narrower: their middles become sites of the reserve.
-  void watch_empty_cells(FitProblem& problem);
+  void watch_empty_cells(MovingFit& problem);
   /// Sites not joined that matter to the knots, their references computed. Those without one are left out.
-  std::vector<Index> sites_that_matter(FitProblem& problem, bool fill_only);
+  std::vector<Index> sites_that_matter(MovingFit& problem, bool fill_only);
   double slack(const Site& site) const;  ///< infinity: not held to the maximum
   void join(Site& site);
 

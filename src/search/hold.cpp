@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "base/deadline.h"
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "search/routes.h"
 #include "verify/swings.h"
 namespace knotfit {
@@ -32,8 +32,8 @@ void hold(RefineResult& result, const ParameterizedPoints& points, const RefineO
   for (const InteriorKnots& knots : {result.nearest, result.knots}) {
     fit.energy = options.energy;
     FitProblem problem(points, options.degree_u, options.degree_v, fit);
-    const double operations = problem.work(static_cast<Index>(knots.u.size()) + options.degree_u + 1,
-                                           static_cast<Index>(knots.v.size()) + options.degree_v + 1);
+    const double operations = problem.operations(static_cast<Index>(knots.u.size()) + options.degree_u + 1,
+                                                 static_cast<Index>(knots.v.size()) + options.degree_v + 1);
     if (operations > kMostOperations || cut() || !problem.solve(knots)) continue;
     for (const double times : {1.0, 4.0}) {
       if (cut()) return;

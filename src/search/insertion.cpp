@@ -5,9 +5,8 @@
 #include <numeric>
 
 #include "base/deadline.h"
-#include "fit/data_energy.h"
 #include "fit/knot_loss.h"
-#include "fit/scattered.h"
+#include "fit/moving_fit.h"
 #include "place/error_model.h"
 #include "place/levenberg.h"
 #include "place/shares.h"
@@ -16,6 +15,7 @@
 #include "search/minimax.h"
 #include "search/noise_plateau.h"
 #include "search/routes.h"
+#include "solve/data_energy.h"
 namespace knotfit {
 namespace {
 
@@ -53,17 +53,17 @@ class Marginal {
 class Insertion {
  public:
   /// \param data     the points themselves
-  /// \param problem  what is fitted: the data, or scattered the guard's points, which begin with the data
-  Insertion(FitProblem& data, FitProblem& problem, Guard* guard, const RefineOptions& options,
-            const Control& control)
+  /// \param problem  what is fitted: the data, or the guard's points, which begin with the data
+  /// \param moving   the problem where its knots are moved to where the error is least; or null
+  Insertion(FitProblem& data, FitProblem& problem, MovingFit* moving, Guard* guard,
+            const RefineOptions& options, const Control& control)
       : attempts_(data, options, control, 3000),
         data_(data),
         guard_(guard),
         options_(options),
         problem_(problem),
         context_(problem, placement_options(options), control),
-        optimal_(placement_method(options.method).traits.moves_knots &&
-                 can_optimise_insertion(data.points())),
+        moving_(moving),
         plateau_(options.noise, data.points().size(), data.points().dimension) {
     if (&data != &problem) attempts_.count(problem);
   }
@@ -75,10 +75,10 @@ class Insertion {
     const Status unmet = insert(geometry);
     if (attempts_.reached() && !attempts_.interrupted()) {
       prune();
-      if (optimal_ && movable(attempts_.best())) prune_moving();
+      if (moving_ && movable(attempts_.best())) prune_moving();
     }
     RefineResult result = attempts_.finish(unmet);
-    if (!optimal_) result.method = "insert";
+    if (!moving_) result.method = "insert";
     if (!attempts_.interrupted()) result.metric = context_.fine_model().knots;
     return result;
   }
@@ -117,9 +117,9 @@ class Insertion {
       };
       if (std::isfinite(error)) consider(knots_of_density(problem_, count_u, count_v));
       consider(by_criterion(f, count_u, count_v));
-      if (optimal_ && !attempts_.holds(error) && movable(best)) {
+      if (moving_ && !attempts_.holds(error) && movable(best)) {
         InteriorKnots moved = best;
-        minimize_over_knots(problem_, moved, levenberg(kStepsARound));
+        minimize_over_knots(*moving_, moved, levenberg(kStepsARound));
         consider(moved);
       }
       if (!(problem_.knots() == best)) problem_.solve(best);
@@ -135,9 +135,9 @@ class Insertion {
     for (int round = 0; round < 4 && guard_ && !attempts_.holds(error) && !attempts_.interrupted() &&
                         attempts_.holds(problem_.measured(attempts_.tolerance()));
          ++round) {
-      if (guard_->exchange(problem_) == 0) break;
-      problem_.take_new_points();
-      problem_.scattered().set_weights(guard_->shares(problem_).base);
+      if (guard_->exchange(*moving_) == 0) break;
+      moving_->take_new_points();
+      moving_->set_weights(guard_->shares(*moving_).base);
       error = attempts_.fit(problem_, knots);
     }
     return error;
@@ -145,8 +145,8 @@ class Insertion {
 
   /// Nets whose fit is too much work are not optimised: a step of their knots takes many fits' time.
   bool movable(const InteriorKnots& k) const {
-    return problem_.work(static_cast<Index>(k.u.size()) + problem_.degree_u() + 1,
-                         static_cast<Index>(k.v.size()) + problem_.degree_v() + 1) <= kMostOperations;
+    return problem_.operations(static_cast<Index>(k.u.size()) + problem_.degree_u() + 1,
+                               static_cast<Index>(k.v.size()) + problem_.degree_v() + 1) <= kMostOperations;
   }
 
   bool allowed(const InteriorKnots& k) const {
@@ -251,7 +251,7 @@ class Insertion {
         return k;
       };
       auto try_without = [&](bool v, double knot) {
-        operations += problem_.work(problem_.axis_u().functions(), problem_.axis_v().functions());
+        operations += problem_.operations(problem_.axis_u().functions(), problem_.axis_v().functions());
         return attempts_.fit(problem_, without(knots, v, knot));
       };
       for (bool v : {false, true})
@@ -291,20 +291,20 @@ class Insertion {
       const bool v_first = knots.u.size() > knots.v.size();  // a v-knot takes more control points then
       for (bool v : {v_first, !v_first}) {
         if ((v ? knots.v : knots.u).empty() || attempts_.interrupted() || !problem_.solve(knots)) continue;
-        const std::vector<double> loss = knot_losses(problem_, v);
+        const std::vector<double> loss = knot_losses(*moving_, v);
         InteriorKnots fewer = knots;
         auto& line = v ? fewer.v : fewer.u;
         line.erase(line.begin() + (std::min_element(loss.begin(), loss.end()) - loss.begin()));
-        minimize_over_knots(problem_, fewer, levenberg(40));
+        minimize_over_knots(*moving_, fewer, levenberg(40));
         double error = problem_.measured(attempts_.tolerance());
         bool squares = true;
-        const PointShares shares = guard_ ? guard_->shares(problem_) : PointShares{};
+        const PointShares shares = guard_ ? guard_->shares(*moving_) : PointShares{};
         if (minimax && !attempts_.holds(error) && error < kMinimaxReach * attempts_.tolerance().value) {
           MinimaxOptions options;
           options.enough = attempts_.tolerance().value;
           options.patience = 1;
           options.stop = [this] { return attempts_.stopped(); };
-          const NetState state = minimize_maximum(problem_, shares, options);
+          const NetState state = minimize_maximum(*moving_, shares, options);
           fewer = state.knots;
           error = state.max;
           squares = false;
@@ -333,11 +333,11 @@ class Insertion {
 
   Attempts attempts_;
   FitProblem& data_;
-  Guard* guard_;  ///< or null
+  Guard* guard_;  ///< or null; then the problem moves
   const RefineOptions& options_;
   FitProblem& problem_;
   PlacementContext context_;
-  bool optimal_;  ///< knots move to where the error is least
+  MovingFit* moving_;  ///< or null
   NoisePlateau plateau_;
 };
 
@@ -350,18 +350,18 @@ bool can_optimise_insertion(const ParameterizedPoints& points) {
 RefineResult insert_isolines(FitProblem& data, const RefineOptions& options, const Control& control) {
   const bool optimal =
       placement_method(options.method).traits.moves_knots && can_optimise_insertion(data.points());
-  if (!optimal) return Insertion(data, data, nullptr, options, control).run();
+  if (!optimal) return Insertion(data, data, nullptr, nullptr, options, control).run();
   const Deadline deadline(control);
   const LeastSquaresOptions fit = search_fits(options);
-  FitProblem plain(data.points(), options.degree_u, options.degree_v, fit);
-  if (!options.guard) return Insertion(data, plain, nullptr, options, control).run();
+  MovingFit plain(data.points(), options.degree_u, options.degree_v, fit);
+  if (!options.guard) return Insertion(data, plain, &plain, nullptr, options, control).run();
   const InteriorKnots metric =
       PlacementContext(plain, placement_options(options), control).fine_model().knots;
   Guard guard(data.points(), options.tolerance.value, guard_looseness(options.tolerance), metric,
               [&] { return deadline.over(); });
-  FitProblem guarded(guard.points(), options.degree_u, options.degree_v, fit);
-  guarded.scattered().count_first(data.points().size());
-  RefineResult result = Insertion(data, guarded, &guard, options, deadline.left()).run();
+  MovingFit guarded(guard.points(), options.degree_u, options.degree_v, fit);
+  guarded.count_first(data.points().size());
+  RefineResult result = Insertion(data, guarded, &guarded, &guard, options, deadline.left()).run();
   result.fits += plain.fits();
   result.fill_points = guard.fill_count();
   if (result.fill_points > 0) result.least_squares = false;

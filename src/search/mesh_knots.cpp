@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/evaluate.h"
 #include "place/error_model.h"
 #include "place/shares.h"

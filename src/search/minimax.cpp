@@ -5,7 +5,6 @@
 
 #include "base/clones.h"
 #include "base/parallel.h"
-#include "fit/scattered.h"
 #include "place/damped_step.h"
 #include "place/levenberg.h"
 namespace knotfit {
@@ -28,7 +27,7 @@ KNOTFIT_CLONES void half_powers(double* q, int power, double* result) {
 /// Phi = sum (q/g)^P / P + eps omega q^2 / 2 with q = |r| / scale, at fixed P and scale.
 class Merit {
  public:
-  Merit(FitProblem& problem, const PointShares& shares, int power, double scale)
+  Merit(MovingFit& problem, const PointShares& shares, int power, double scale)
       : problem_(problem), shares_(shares), power_(power), scale_(scale) {}
 
   /// At residual + t (other - residual).
@@ -84,7 +83,7 @@ class Merit {
   double slack2(Index i) const {
     return shares_.inverse_slack.empty() ? 1.0 : shares_.inverse_slack[i] * shares_.inverse_slack[i];
   }
-  FitProblem& problem_;
+  MovingFit& problem_;
   const PointShares& shares_;
   int power_;
   double scale_;
@@ -121,8 +120,7 @@ void step_towards(std::vector<double>& from, const std::vector<double>& to, doub
 /// One P: Newton steps of the control points by weighted fits, steps of the knots around them.
 class Stage {
  public:
-  Stage(FitProblem& problem, const PointShares& shares, const MinimaxOptions& options, int power,
-        double scale)
+  Stage(MovingFit& problem, const PointShares& shares, const MinimaxOptions& options, int power, double scale)
       : problem_(problem),
         shares_(shares),
         options_(options),
@@ -141,7 +139,7 @@ class Stage {
     for (int step = 0; step < options_.outer_steps; ++step) {
       if (state.max <= options_.enough || (options_.stop && options_.stop())) break;
       // The factor of the present weights, with the L_P state's own residual.
-      problem_.scattered().set_weights(weights_);
+      problem_.set_weights(weights_);
       if (!problem_.factor(state.knots)) return false;
       problem_.restore(state.net, state.residual);
       SpacingStep model(problem_, state.knots, false, (power_ - 1) / (scale_ * scale_),
@@ -180,17 +178,17 @@ class Stage {
   /// c <- c + t (c_w - c) at fixed knots, from the fit of the weights at hand. Residuals are linear in t, so
   /// a trial costs one pass and no fit; Newton's own t is 1/(P-1).
   bool inner(NetState& state, int rounds, double fall) {
-    problem_.scattered().set_weights(weights_);
+    problem_.set_weights(weights_);
     if (!problem_.solve(state.knots)) return false;
     state.net = problem_.net();
-    state.residual = problem_.scattered().residual();
+    state.residual = problem_.residual();
     value_ = merit_.value(state.residual, state.residual, 0);
     double first_t = 1;  // of the line search: a step above the last that won
     for (int round = 0; round < rounds; ++round) {
       weights_ = merit_.weights(state.residual);
-      problem_.scattered().set_weights(weights_);
+      problem_.set_weights(weights_);
       if (!problem_.solve(state.knots)) return false;
-      const std::vector<double>& other = problem_.scattered().residual();
+      const std::vector<double>& other = problem_.residual();
       double best = value_, best_t = 0;
       for (double t = first_t; t > 0.3 / (power_ - 1); t *= 0.6) {
         const double m = merit_.value(state.residual, other, t);
@@ -214,7 +212,7 @@ class Stage {
     return std::isfinite(state.max);
   }
 
-  FitProblem& problem_;
+  MovingFit& problem_;
   const PointShares& shares_;
   const MinimaxOptions& options_;
   int power_;
@@ -231,15 +229,15 @@ double later_gain(double power) {
 
 }  // namespace
 
-double largest_error(FitProblem& problem, const PointShares& shares) {
-  return largest(problem.scattered().residual(), shares, problem.points().dimension);
+double largest_error(MovingFit& problem, const PointShares& shares) {
+  return largest(problem.residual(), shares, problem.points().dimension);
 }
 
-NetState state_of(FitProblem& problem, const PointShares& shares) {
-  return {problem.knots(), problem.net(), problem.scattered().residual(), largest_error(problem, shares)};
+NetState state_of(MovingFit& problem, const PointShares& shares) {
+  return {problem.knots(), problem.net(), problem.residual(), largest_error(problem, shares)};
 }
 
-NetState minimize_maximum(FitProblem& problem, const PointShares& shares, const MinimaxOptions& options) {
+NetState minimize_maximum(MovingFit& problem, const PointShares& shares, const MinimaxOptions& options) {
   NetState state = state_of(problem, shares), best = state;
   auto keep = [&](const NetState& s) {
     if (s.max < best.max) best = s;
@@ -254,16 +252,15 @@ NetState minimize_maximum(FitProblem& problem, const PointShares& shares, const 
     stale = best.max < before ? 0 : stale + 1;
     if (stale == 2) break;
   }
-  problem.scattered().set_weights(shares.base);
+  problem.set_weights(shares.base);
   problem.factor(best.knots);
   problem.restore(best.net, best.residual);
   return best;
 }
 
-std::vector<double> minimax_weights(FitProblem& problem, const PointShares& shares, double power) {
+std::vector<double> minimax_weights(MovingFit& problem, const PointShares& shares, double power) {
   const double scale = largest_error(problem, shares);
-  return Merit(problem, shares, static_cast<int>(power), scale > 0 ? scale : 1)
-      .weights(problem.scattered().residual());
+  return Merit(problem, shares, static_cast<int>(power), scale > 0 ? scale : 1).weights(problem.residual());
 }
 
 }  // namespace knotfit

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "fit/problem.h"
+#include "fit/moving_fit.h"
 namespace knotfit {
 
 /// What each point weighs, in the problem's stored order: its weight in the least squares, and the inverse
@@ -32,17 +32,17 @@ struct MinimaxOptions {
 };
 
 /// Largest |r| / slack of the problem's present residual.
-double largest_error(FitProblem& problem, const PointShares& shares);
+double largest_error(MovingFit& problem, const PointShares& shares);
 
 /// The state the problem holds.
-NetState state_of(FitProblem& problem, const PointShares& shares);
+NetState state_of(MovingFit& problem, const PointShares& shares);
 
 /// Minimises max |r| / slack from the state of the problem's last solve. The problem is left with the best
 /// state and with the base weights. \return that state
-NetState minimize_maximum(FitProblem& problem, const PointShares& shares, const MinimaxOptions& options);
+NetState minimize_maximum(MovingFit& problem, const PointShares& shares, const MinimaxOptions& options);
 
 /// The weights that the best state of minimize_maximum was the least-squares fit of, roughly:
 /// (|r| / (slack max))^(P-2) / slack^2 + eps base.
-std::vector<double> minimax_weights(FitProblem& problem, const PointShares& shares, double power);
+std::vector<double> minimax_weights(MovingFit& problem, const PointShares& shares, double power);
 
 }  // namespace knotfit

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/deadline.h"
-#include "fit/scattered.h"
 #include "search/better_of.h"
 #include "search/optimized_sizes.h"
 #include "search/routes.h"
@@ -108,8 +107,8 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
                   [&] { return attempts.stopped(); });
   }
   const LeastSquaresOptions fit = search_fits(options);
-  FitProblem problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);
-  problem.scattered().count_first(data.points().size());
+  MovingFit problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);
+  problem.count_first(data.points().size());
   attempts.count(problem);
   PlacementContext context(problem, placement_options(options), control);
   context.set_fine_model(fine);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "fit/scattered.h"
 #include "place/shares.h"
 namespace knotfit {
 namespace {
@@ -38,7 +37,7 @@ InteriorKnots random_knots(int count_u, int count_v, std::mt19937_64& engine) {
 
 }  // namespace
 
-OptimizedSizes::OptimizedSizes(FitProblem& problem, PlacementContext& context, Guard* guard,
+OptimizedSizes::OptimizedSizes(MovingFit& problem, PlacementContext& context, Guard* guard,
                                Attempts& attempts, const RefineOptions& options)
     : problem_(problem),
       context_(context),
@@ -74,9 +73,9 @@ void OptimizedSizes::use_base_weights() {
   } else if (!problem_.points().weights.empty()) {
     shares_.base.resize(problem_.points().size());
     for (Index i = 0; i < problem_.points().size(); ++i)
-      shares_.base[i] = problem_.points().weights[problem_.scattered().points().input(i)];
+      shares_.base[i] = problem_.points().weights[problem_.order().input(i)];
   }
-  problem_.scattered().set_weights(shares_.base);
+  problem_.set_weights(shares_.base);
 }
 
 double OptimizedSizes::measured() const {
@@ -113,7 +112,7 @@ const SizeOutcome& OptimizedSizes::solve(const Spans& spans, const Spans* from) 
   const int most_tries = policy_.retry_within > 0 ? 2 : 1;
   if (entry.outcome.holds || entry.outcome.tries >= most_tries) return entry.outcome;
   const bool strong = entry.outcome.tries++ > 0;
-  if (problem_.work(spans.first + problem_.degree_u(), spans.second + problem_.degree_v()) > kMostWork)
+  if (problem_.operations(spans.first + problem_.degree_u(), spans.second + problem_.degree_v()) > kMostWork)
     return place_only(spans, entry);
   const Entry* source = from && entries_.contains(*from) ? &entries_.at(*from) : nullptr;
   use_base_weights();
@@ -208,7 +207,7 @@ void OptimizedSizes::finish(Entry& entry, Start& start) {
     for (int round = 0; round < 2 && error > tolerance && error < kNear * tolerance; ++round) {
       // Relocation in the weighted norm, and once more.
       const NetState before = state;
-      problem_.scattered().set_weights(minimax_weights(problem_, shares_, 9));
+      problem_.set_weights(minimax_weights(problem_, shares_, 9));
       InteriorKnots knots = state.knots;
       problem_.solve(knots);
       relocate_knots(problem_, knots, problem_.phi(), levenberg_, {2, 2});
@@ -227,7 +226,7 @@ void OptimizedSizes::finish(Entry& entry, Start& start) {
     take_new_points();
     problem_.factor(state.knots);
     problem_.evaluate(state.knots, state.net);
-    state.residual = problem_.scattered().residual();
+    state.residual = problem_.residual();
     if (to_maximum_) {
       error = state.max = largest_error(problem_, shares_);
       if (error > tolerance && minimax) improve();

@@ -15,7 +15,7 @@ class OptimizedSizes final : public SizeSolver {
  public:
   /// \param problem  scattered, over the guard's points where there is a guard, else over the data
   /// \param context  of that problem, with the fine model set
-  OptimizedSizes(FitProblem& problem, PlacementContext& context, Guard* guard, Attempts& attempts,
+  OptimizedSizes(MovingFit& problem, PlacementContext& context, Guard* guard, Attempts& attempts,
                  const RefineOptions& options);
 
   /// Knots to start from at their own size. \return that size
@@ -43,7 +43,7 @@ class OptimizedSizes final : public SizeSolver {
   double measured() const;
   void use_base_weights();
 
-  FitProblem& problem_;
+  MovingFit& problem_;
   PlacementContext& context_;
   Guard* guard_;
   Attempts& attempts_;

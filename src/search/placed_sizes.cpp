@@ -19,7 +19,7 @@ const SizeOutcome& PlacedSizes::solve(const Spans& spans, const Spans*) {
   if (const SizeOutcome* outcome = seen(spans)) return *outcome;
   const Index nu = spans.first + problem_.degree_u(), nv = spans.second + problem_.degree_v();
   context_.options().rounds =
-      static_cast<int>(std::clamp(kRoundOperations / problem_.work(nu, nv), 2.0, 12.0));
+      static_cast<int>(std::clamp(kRoundOperations / problem_.operations(nu, nv), 2.0, 12.0));
   const Placement placement = place_(context_, spans.first - 1, spans.second - 1);
   SizeOutcome& outcome = outcomes_[spans];
   outcome.error = attempts_.fit(problem_, placement.knots);

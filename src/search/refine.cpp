@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/deadline.h"
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
 #include "search/routes.h"
 #include "verify/swing_limits.h"

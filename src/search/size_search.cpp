@@ -115,7 +115,7 @@ class SizeSearch {
         const long before = attempts_.fits();
         const bool holds = solver_.solve(candidate, &best).holds;
         operations += static_cast<double>(attempts_.fits() - before) *
-                      data_.work(candidate.first + m_, candidate.second + n_);
+                      data_.operations(candidate.first + m_, candidate.second + n_);
         if (!holds) continue;
         moved = true;
         break;

@@ -21,8 +21,7 @@ KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const To
   LeastSquaresOptions fit;
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
-  fit.use_grid = false;
-  FitProblem problem(points, data.degree_u(), data.degree_v(), fit);
+  MovingFit problem(points, data.degree_u(), data.degree_v(), fit);
   const int few =
       std::min(kProbeSpans, std::max(2, static_cast<int>(std::sqrt(static_cast<double>(points.size()))) / 4));
   // RMS and the error that counts at n spans a direction, on uniform and on optimised knots.

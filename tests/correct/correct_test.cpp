@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
 #include "parameterize/mesh_support.h"

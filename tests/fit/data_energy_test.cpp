@@ -1,5 +1,5 @@
 // The energy that holds a surface to its data where hardly any point does.
-#include "fit/data_energy.h"
+#include "solve/data_energy.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
 #include "support/expect_throw.h"

@@ -1,9 +1,10 @@
+#include "fit/fit_problem.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "fit/problem.h"
 #include "knotfit/exceptions.h"
 #include "support/dense_reference.h"
 #include "support/expect_throw.h"
@@ -81,14 +82,14 @@ TEST(FitProblem, RefusesBadInput) {
   expect_throw<InvalidInput>([&] { FitProblem(points, 3, 3); }, "point 7 has a value that is not finite");
 }
 
-TEST(FitProblem, WorkGrowsWithPointsAndFunctions) {
+TEST(FitProblem, OperationsGrowWithPointsAndFunctions) {
   Random random;
   const ParameterizedPoints few = random_points(random, 100, 1), many = random_points(random, 1000, 1);
   const FitProblem a(few, 3, 3), b(many, 3, 3);
-  EXPECT_GT(a.work(10, 10), 0);
-  EXPECT_GT(a.work(20, 10), a.work(10, 10));
-  EXPECT_GT(b.work(10, 10), a.work(10, 10));
-  EXPECT_EQ(a.work(10, 20), a.work(20, 10));  // the band runs along the longer direction
+  EXPECT_GT(a.operations(10, 10), 0);
+  EXPECT_GT(a.operations(20, 10), a.operations(10, 10));
+  EXPECT_GT(b.operations(10, 10), a.operations(10, 10));
+  EXPECT_EQ(a.operations(10, 20), a.operations(20, 10));  // the band runs along the longer direction
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "fit/knot_gain.h"
-#include "fit/problem.h"
-#include "fit/scattered.h"
+#include "fit/moving_fit.h"
+#include "solve/banded_system.h"
 #include "support/synthetic.h"
 namespace knotfit::test {
 namespace {
@@ -50,24 +50,24 @@ class KnotJacobianOf : public testing::TestWithParam<std::tuple<int, int, int>> 
 TEST_P(KnotJacobianOf, AgreesWithDifferences) {
   const auto [degree_u, degree_v, dimension] = GetParam();
   const ParameterizedPoints points = sample(dimension);
-  FitProblem problem(points, degree_u, degree_v, without_floor());
+  MovingFit problem(points, degree_u, degree_v, without_floor());
   const InteriorKnots knots{{0.17, 0.31, 0.52, 0.7, 0.83}, {0.1, 0.4, 0.55, 0.75}};
   ASSERT_TRUE(problem.solve(knots));
-  const KnotJacobian full = problem.scattered().knot_jacobian(problem.net(), true);
+  const KnotJacobian full = problem.jacobian(true);
   const std::size_t n = 9;
   ASSERT_EQ(full.knots, n);
 
-  const std::vector<double> weights = problem.scattered().points().weights();
+  const std::vector<double> weights = problem.order().weights();
   std::vector<std::vector<double>> columns;
   double largest = 0;
   for (double g : full.gradient) largest = std::max(largest, std::abs(2 * g));
   for (std::size_t l = 0; l < n; ++l) {
     ASSERT_TRUE(problem.solve(moved(knots, l, kStep)));
     const double after = problem.phi();
-    std::vector<double> column = problem.scattered().residual();
+    std::vector<double> column = problem.residual();
     ASSERT_TRUE(problem.solve(moved(knots, l, -kStep)));
     EXPECT_NEAR(2 * full.gradient[l], (after - problem.phi()) / (2 * kStep), 1e-7 * largest) << "knot " << l;
-    const std::vector<double>& before = problem.scattered().residual();
+    const std::vector<double>& before = problem.residual();
     for (std::size_t i = 0; i < column.size(); ++i) column[i] = (column[i] - before[i]) / (2 * kStep);
     columns.push_back(std::move(column));
   }
@@ -89,10 +89,10 @@ INSTANTIATE_TEST_SUITE_P(DegreesAndDimensions, KnotJacobianOf,
 
 TEST(KnotJacobian, CopiesOfAMultipleKnotSumToItsDerivative) {
   const ParameterizedPoints points = sample(3);
-  FitProblem problem(points, 3, 4, without_floor());
+  MovingFit problem(points, 3, 4, without_floor());
   const InteriorKnots knots{{0.17, 0.31, 0.31, 0.7}, {0.4, 0.4, 0.4, 0.75}};
   ASSERT_TRUE(problem.solve(knots));
-  const KnotJacobian j = problem.scattered().knot_jacobian(problem.net());
+  const KnotJacobian j = problem.jacobian();
   const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> groups{
       {0, {0}}, {1, {1, 2}}, {3, {3}}, {4, {4, 5, 6}}, {7, {7}}};
   double largest = 0;
@@ -109,10 +109,10 @@ TEST(KnotJacobian, CopiesOfAMultipleKnotSumToItsDerivative) {
 
 TEST(KnotJacobian, KaufmansLacksOnlyAPositiveTerm) {
   const ParameterizedPoints points = sample(2);
-  FitProblem problem(points, 3, 3, without_floor());
+  MovingFit problem(points, 3, 3, without_floor());
   problem.solve({{0.2, 0.5, 0.8}, {0.3, 0.6}});
-  const KnotJacobian kaufman = problem.scattered().knot_jacobian(problem.net(), false);
-  const KnotJacobian full = problem.scattered().knot_jacobian(problem.net(), true);
+  const KnotJacobian kaufman = problem.jacobian(false);
+  const KnotJacobian full = problem.jacobian(true);
   EXPECT_EQ(kaufman.gradient, full.gradient);
   for (std::size_t i = 0; i < full.knots; ++i)
     EXPECT_GE(full.matrix[i * full.knots + i], kaufman.matrix[i * full.knots + i]);
@@ -124,7 +124,7 @@ TEST(KnotGain, RanksSpansAsFitsWithTheKnotDo) {
   const ParameterizedPoints points = synthetic_points("franke", 4000);
   LeastSquaresOptions options = without_floor();
   options.smoothing = 1e-9;
-  FitProblem problem(points, 3, 3, options);
+  MovingFit problem(points, 3, 3, options);
   const InteriorKnots knots{{0.2, 0.4, 0.6, 0.8}, {0.25, 0.5, 0.75}};
   for (bool along_v : {false, true}) {
     problem.solve(knots);

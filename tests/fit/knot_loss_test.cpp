@@ -53,7 +53,7 @@ TEST(KnotLosses, AreTheRiseOfTheSquaresWithoutEachKnot) {
         const ParameterizedPoints points = random_points(random, 900, dimension, dimension == 3);
         InteriorKnots knots = some_knots(degree);
         if (swapped) std::swap(knots.u, knots.v);
-        FitProblem problem(points, degree, degree, options);
+        MovingFit problem(points, degree, degree, options);
         for (bool along_v : {false, true}) {
           ASSERT_TRUE(problem.solve(knots));
           const double phi = problem.phi();

@@ -62,13 +62,13 @@ class CertifiedOptimum : public testing::TestWithParam<Optimum> {
     return {{x.begin(), split}, {split, x.end()}};
   }
 
-  FitProblem problem(const ParameterizedPoints& points) const {
+  MovingFit problem(const ParameterizedPoints& points) const {
     LeastSquaresOptions options;
     options.smoothing = 0;
     options.refinement_steps = 0;
     options.estimate_condition = false;
     options.use_grid = false;
-    return FitProblem(points, degree(), curve() ? 1 : degree(), options);
+    return MovingFit(points, degree(), curve() ? 1 : degree(), options);
   }
   /// The strip holds every point of a curve twice.
   double copies() const { return curve() ? 2 : 1; }
@@ -78,14 +78,14 @@ TEST_P(CertifiedOptimum, HasTheErrorThatIsListed) {
   std::vector<double> knots;
   for (const Json& k : GetParam().json["optimum"]) knots.push_back(std::stod(k.get<std::string>()));
   const ParameterizedPoints data = points();
-  FitProblem fit = problem(data);
+  MovingFit fit = problem(data);
   ASSERT_TRUE(fit.solve(knots_of(knots)));
   EXPECT_NEAR(fit.phi() / copies(), phi(), 1e-9 * phi());
 }
 
 TEST_P(CertifiedOptimum, IsReachedFromEveryStart) {
   const ParameterizedPoints data = points();
-  FitProblem fit = problem(data);
+  MovingFit fit = problem(data);
   if (GetParam().json["starts"].empty()) GTEST_SKIP() << GetParam().json["why_no_starts"].get<std::string>();
   LevenbergOptions options;
   options.steps = 400;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/problem.h"
+#include "fit/moving_fit.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/place.h"
 #include "place/relocate.h"
@@ -23,7 +23,7 @@ LeastSquaresOptions for_knots() {
 }
 
 double rms_of(const ParameterizedPoints& points, const InteriorKnots& knots) {
-  FitProblem problem(points, 3, 3, for_knots());
+  MovingFit problem(points, 3, 3, for_knots());
   problem.solve(knots);
   return problem.rms();
 }
@@ -72,7 +72,7 @@ TEST(KnotSpacings, NoSpanFallsBelowTheLeast) {
 
 TEST(Levenberg, NeverEndsAboveItsStartAndAtASmallGradient) {
   const ParameterizedPoints points = synthetic_points("franke", 5000);
-  FitProblem problem(points, 3, 3, for_knots());
+  MovingFit problem(points, 3, 3, for_knots());
   InteriorKnots knots{{0.1, 0.3, 0.5, 0.7, 0.9}, {0.2, 0.4, 0.6, 0.8}};
   problem.solve(knots);
   const double before = problem.phi();
@@ -101,7 +101,7 @@ TEST(Relocation, OneKnotAtMorePeaksOfTheGainLeadsFurther) {
   for (const std::string& name : synthetic_names())
     for (const int count : {6, 10}) {
       const ParameterizedPoints points = synthetic_points(name, 1500);
-      FitProblem problem(points, 3, 3, for_knots());
+      MovingFit problem(points, 3, 3, for_knots());
       InteriorKnots knots{uniform_knots(count), uniform_knots(count)};
       double phi = minimize_over_knots(problem, knots);
       phi = relocate_knots(problem, knots, phi, {});
@@ -193,7 +193,7 @@ TEST(TieKnots, TiesThePairsOfBothDirections) {
   const ParameterizedPoints points = of_spline(u, v, 3);
   LeastSquaresOptions fit = for_knots();
   fit.smoothing = 1e-14;
-  FitProblem problem(points, 3, 3, fit);
+  MovingFit problem(points, 3, 3, fit);
   InteriorKnots knots{u, v};
   for (std::vector<double>* k : {&knots.u, &knots.v})
     for (std::size_t i = 0; i + 1 < k->size(); ++i)

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "fit/curve_problem.h"
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 #include "place/periodic.h"
 #include "place/shares.h"
 #include "support/synthetic.h"

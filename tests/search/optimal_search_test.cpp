@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/scattered.h"
 #include "knotfit/verify.h"
 #include "place/shares.h"
 #include "search/cover.h"
 #include "search/guard.h"
 #include "search/minimax.h"
 #include "search/searches.h"
+#include "solve/banded_system.h"
 #include "support/two_threads.h"
 #include "verify/local_reference.h"
 namespace knotfit::test {
@@ -37,7 +37,7 @@ TEST(Minimax, LowersTheMaximumOfTheLeastSquares) {
   fit.refinement_steps = 0;
   fit.estimate_condition = false;
   fit.use_grid = false;
-  FitProblem problem(points, 3, 3, fit);
+  MovingFit problem(points, 3, 3, fit);
   const InteriorKnots knots{uniform_knots(7), uniform_knots(7)};
   problem.solve(knots);
   const double before = problem.max();
@@ -56,7 +56,7 @@ TEST(Minimax, EndsAtWhatIsEnough) {
   const ParameterizedPoints points = synthetic_points("franke", 3000);
   LeastSquaresOptions fit;
   fit.use_grid = false;
-  FitProblem problem(points, 3, 3, fit);
+  MovingFit problem(points, 3, 3, fit);
   problem.solve({uniform_knots(6), uniform_knots(6)});
   MinimaxOptions options;
   options.enough = 2 * problem.max();
@@ -82,11 +82,11 @@ TEST(Cover, LeavesNoNodeFartherThanItsRadius) {
     }
 }
 
-FitProblem moving(const ParameterizedPoints& points) {
+MovingFit moving(const ParameterizedPoints& points) {
   LeastSquaresOptions fit;
   fit.refinement_steps = 0;
   fit.use_grid = false;
-  return FitProblem(points, 3, 3, fit);
+  return MovingFit(points, 3, 3, fit);
 }
 
 TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
@@ -95,7 +95,7 @@ TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
   Guard guard(points, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
   EXPECT_EQ(guard.data_count(), points.size());
   EXPECT_EQ(guard.fill_count(), 0);
-  FitProblem problem = moving(guard.points());
+  MovingFit problem = moving(guard.points());
   problem.solve({uniform_knots(2), uniform_knots(2)});
   EXPECT_EQ(guard.fill(problem), 0);  // 440 points a cell: nowhere to go astray
   problem.solve({uniform_knots(24), uniform_knots(24)});
@@ -116,7 +116,7 @@ TEST(Guard, TakesInWhereASurfaceGoesAstray) {
   const ParameterizedPoints points = synthetic_points("franke", 4000);
   const double tolerance = 1e-3 * synthetic_diagonal(points);
   Guard guard(points, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  FitProblem problem = moving(guard.points());
+  MovingFit problem = moving(guard.points());
   const InteriorKnots knots{uniform_knots(24), uniform_knots(24)};
   problem.solve(knots);
   EXPECT_LE(guard.exchange(problem), 5);  // a fair fit is near the reference at most of 1 000 places
@@ -131,7 +131,7 @@ TEST(Guard, LooksIntoASlitBetweenTwoKnots) {
   const ParameterizedPoints points = synthetic_points("franke", 4000);
   const double tolerance = 1e-3 * synthetic_diagonal(points);
   Guard guard(points, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  FitProblem problem = moving(guard.points());
+  MovingFit problem = moving(guard.points());
   const InteriorKnots knots{{0.4999, 0.4999, 0.5, 0.5001, 0.5001}, {}};
   problem.solve(knots);
   std::vector<double> net = problem.net();

@@ -1,4 +1,4 @@
-#include "fit/data_raster.h"
+#include "solve/data_raster.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "fit/cell_energy.h"
+#include "solve/cell_energy.h"
 
 #include <Eigen/Dense>
 

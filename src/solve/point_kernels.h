@@ -1,7 +1,7 @@
 // The loops over points. One .cpp with a reference in tests/fit: each kernel takes one piece of one cell. Legendre counts are compile-time for equal degrees 1 to 5 and run-time otherwise.
 #pragma once
-#include "fit/backend.h"
 #include "solve/cell_order.h"
+#include "solve/normal_system.h"
 namespace knotfit {
 
 /// Inner moments are padded to a multiple of 4 doubles.

@@ -1,6 +1,5 @@
-// What a fit needs of its data, whatever the data's layout.
+// The normal equations of a fit, whatever the layout of its data.
 #pragma once
-#include <memory>
 #include <vector>
 
 #include "knotfit/points.h"
@@ -19,11 +18,14 @@ struct ResidualSums {
   }
 };
 
-/// Points in a layout of their own, with the normal matrix of one pair of knot vectors.
-class FitBackend {
+/// Points in a layout of their own, with the normal matrix G = A^T W A + lambda J of one pair of axes. Its axes outlive the
+/// calls that follow those that name them.
+class NormalSystem {
  public:
-  virtual ~FitBackend() = default;
-  /// Assembles and factors A^T W A + lambda J. \return false where it is not positive definite
+  virtual ~NormalSystem() = default;
+  /// What residuals() needs of these axes; nothing is factored.
+  virtual void arrange(const Axis& u, const Axis& v) = 0;
+  /// Arranges, assembles and factors. \return false where the matrix is not positive definite
   virtual bool factor(const Axis& u, const Axis& v, double relative_smoothing) = 0;
   /// G^-1 A^T W x for x the data, or the residual of the last residuals() call.
   /// \return size_u x size_v x dimension

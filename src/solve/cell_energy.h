@@ -1,8 +1,8 @@
 // The data energy in the normal equations: its quadratic form and right side, cell by cell.
 #pragma once
-#include "fit/data_energy.h"
 #include "solve/axis.h"
 #include "solve/banded.h"
+#include "solve/data_energy.h"
 namespace knotfit {
 
 /// The directions of a net as a band matrix has them.

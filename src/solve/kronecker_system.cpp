@@ -1,4 +1,4 @@
-#include "fit/gridded.h"
+#include "solve/kronecker_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,34 +7,41 @@
 #include "knotfit/basis.h"
 namespace knotfit {
 
-GriddedBackend::GriddedBackend(const ParameterizedPoints& points, GridLayout grid)
+KroneckerSystem::KroneckerSystem(const ParameterizedPoints& points, GridLayout grid)
     : dimension_(points.dimension), grid_(std::move(grid)) {
   values_.resize(points.values.size());
   for (std::size_t k = 0; k < grid_.point.size(); ++k)
     std::copy_n(points.value(grid_.point[k]), dimension_, values_.begin() + k * dimension_);
 }
 
-bool GriddedBackend::set(Direction& direction, const Axis& axis, const std::vector<double>& lines,
-                         double relative) {
+void KroneckerSystem::arrange(Direction& direction, const Axis& axis, const std::vector<double>& lines) {
   const int w = axis.width();
   direction.width = w;
   direction.functions = axis.functions();
   direction.first.resize(lines.size());
   direction.values.resize(lines.size() * w);
-  direction.matrix.reset(axis.functions(), axis.degree());
   std::vector<char> used(axis.spans(), 0);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const Index s = axis.span(lines[k]);
     used[s] = 1;
     direction.first[k] = s;
-    double* b = direction.values.data() + k * w;
-    basis_functions(axis.knots(), s + axis.degree(), lines[k], {b, static_cast<std::size_t>(w)});
-    for (int i = 0; i < w; ++i)
-      for (int j = 0; j <= i; ++j) direction.matrix.add(s + i, s + j, b[i] * b[j]);
+    basis_functions(axis.knots(), s + axis.degree(), lines[k],
+                    {direction.values.data() + k * w, static_cast<std::size_t>(w)});
   }
   direction.used_spans = direction.empty_spans = 0;
   for (Index s = 0; s < axis.spans(); ++s)
     if (axis.length(s) > 0) ++(used[s] ? direction.used_spans : direction.empty_spans);
+}
+
+bool KroneckerSystem::factor(Direction& direction, const Axis& axis, double relative) {
+  const int w = direction.width;
+  direction.matrix.reset(axis.functions(), axis.degree());
+  for (std::size_t k = 0; k < direction.first.size(); ++k) {
+    const Index s = direction.first[k];
+    const double* b = direction.values.data() + k * w;
+    for (int i = 0; i < w; ++i)
+      for (int j = 0; j <= i; ++j) direction.matrix.add(s + i, s + j, b[i] * b[j]);
+  }
   const std::vector<double> energy = axis.gram(std::min(2, axis.degree()));
   double trace = 0;
   for (Index i = 0; i < axis.functions(); ++i) trace += energy[i * w];
@@ -46,15 +53,21 @@ bool GriddedBackend::set(Direction& direction, const Axis& axis, const std::vect
   return direction.matrix.factor();
 }
 
-bool GriddedBackend::factor(const Axis& u, const Axis& v, double relative_smoothing) {
-  if (!set(u_, u, grid_.u, relative_smoothing) || !set(v_, v, grid_.v, relative_smoothing)) return false;
+void KroneckerSystem::arrange(const Axis& u, const Axis& v) {
+  arrange(u_, u, grid_.u);
+  arrange(v_, v, grid_.v);
+}
+
+bool KroneckerSystem::factor(const Axis& u, const Axis& v, double relative_smoothing) {
+  arrange(u, v);
+  if (!factor(u_, u, relative_smoothing) || !factor(v_, v, relative_smoothing)) return false;
   smoothing_ = std::max(u_.smoothing, v_.smoothing);
   empty_cells_ =
       (u_.used_spans + u_.empty_spans) * (v_.used_spans + v_.empty_spans) - u_.used_spans * v_.used_spans;
   return true;
 }
 
-std::vector<double> GriddedBackend::project(const std::vector<double>& x) const {
+std::vector<double> KroneckerSystem::project(const std::vector<double>& x) const {
   const Index lines_u = static_cast<Index>(grid_.u.size()), lines_v = static_cast<Index>(grid_.v.size());
   const Index nu = u_.functions, nv = v_.functions, d = dimension_;
   // Rows u first, solved in v: half[(i, j)] = row i of the data in the v basis; column after column of
@@ -96,7 +109,7 @@ std::vector<double> GriddedBackend::project(const std::vector<double>& x) const 
   return net;
 }
 
-ResidualSums GriddedBackend::residuals(const std::vector<double>& net) {
+ResidualSums KroneckerSystem::residuals(const std::vector<double>& net) {
   const Index lines_u = static_cast<Index>(grid_.u.size()), lines_v = static_cast<Index>(grid_.v.size());
   const Index nv = v_.functions, d = dimension_;
   residual_.resize(values_.size());
@@ -127,7 +140,7 @@ ResidualSums GriddedBackend::residuals(const std::vector<double>& net) {
   return total;
 }
 
-std::vector<double> GriddedBackend::errors() const {
+std::vector<double> KroneckerSystem::errors() const {
   std::vector<double> errors(grid_.point.size());
   for (std::size_t k = 0; k < grid_.point.size(); ++k) {
     double square = 0;
@@ -138,7 +151,7 @@ std::vector<double> GriddedBackend::errors() const {
   return errors;
 }
 
-double GriddedBackend::condition() const {
+double KroneckerSystem::condition() const {
   return u_.matrix.condition(u_.norm) * v_.matrix.condition(v_.norm);
 }
 

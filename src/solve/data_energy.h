@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "fit/data_raster.h"
+#include "solve/data_raster.h"
 namespace knotfit {
 
 /// Weights and goals over the square, of the data alone: no knots are in it, so a fit's error stays smooth in them.

@@ -2,32 +2,25 @@
 #pragma once
 #include <memory>
 
-#include "fit/backend.h"
-#include "fit/data_energy.h"
-#include "fit/knot_jacobian.h"
 #include "solve/banded.h"
 #include "solve/cell_order.h"
+#include "solve/data_energy.h"
+#include "solve/normal_system.h"
 namespace knotfit {
 
-class ScatteredBackend final : public FitBackend {
+class BandedSystem final : public NormalSystem {
  public:
-  explicit ScatteredBackend(const ParameterizedPoints& points,
-                            std::shared_ptr<const DataEnergy> energy = nullptr);
+  explicit BandedSystem(const ParameterizedPoints& points,
+                        std::shared_ptr<const DataEnergy> energy = nullptr);
   bool factor(const Axis& u, const Axis& v, double relative_smoothing) override;
-  /// Sorts the points into the cells of these knots: all that residuals() needs.
-  void arrange(const Axis& u, const Axis& v);
+  /// Sorts the points into the cells of these knots.
+  void arrange(const Axis& u, const Axis& v) override;
   std::vector<double> project_data() override { return project(false); }
   std::vector<double> project_residual() override { return project(true); }
   ResidualSums residuals(const std::vector<double>& net) override;
   std::vector<double> errors() const override;
   double condition() const override { return matrix_.condition(norm_); }
 
-  /// At the net of the last residuals() call, which minimises at the knots last factored.
-  /// \param golub_pereyra  with the exact Jacobian's second term; without it Kaufman's, which finds better
-  ///   optima at two thirds of the cost [METHOD 3.1]
-  KnotJacobian knot_jacobian(const std::vector<double>& net, bool golub_pereyra = false) const;
-  /// See knot_loss.h; of the factor and the net at hand.
-  std::vector<double> knot_losses(const std::vector<double>& net, bool along_v) const;
   const CellOrder& points() const { return order_; }
   /// Weights of the next fits, in the stored order.
   void set_weights(std::vector<double> weights) { order_.set_weights(std::move(weights)); }
@@ -45,6 +38,18 @@ class ScatteredBackend final : public FitBackend {
   /// Replaces it; the sums are those of residuals().
   ResidualSums set_residual(std::vector<double> residual);
 
+  // Of the matrix last factored, for what follows from it:
+  const Axis& outer() const {
+    return *outer_;
+  }  ///< the direction with more functions: the band is narrower so
+  const Axis& inner() const { return *inner_; }
+  bool swapped() const { return swapped_; }  ///< outer runs along v
+  const BandMatrix& matrix() const { return matrix_; }
+  /// sum w P_a(t) P_b(s) over the points of a cell that has some, outer moments x padded inner moments.
+  const double* cell_moments(Index cell) const {
+    return moments_.data() + order_.piece_start()[cell] * moments_a_piece_;
+  }
+
  private:
   std::vector<double> project(bool residual);
   void add_smoothing(double relative);
@@ -58,14 +63,16 @@ class ScatteredBackend final : public FitBackend {
   std::vector<double> net_;  ///< of the last residuals() call, where there is an energy
   const Axis* u_ = nullptr;
   const Axis* v_ = nullptr;
-  const Axis* outer_ = nullptr;  ///< the direction with more functions: the band is narrower so
+  const Axis* outer_ = nullptr;
   const Axis* inner_ = nullptr;
   bool swapped_ = false;
   KnotVector arranged_u_, arranged_v_;  ///< knots of the present order
   Index counted_;
   BandMatrix matrix_;
   double norm_ = 0;
-  std::vector<double> moments_;   ///< a piece: outer moments x padded inner moments
+  std::vector<double>
+      moments_;  ///< a piece: matrix, then right side; a cell's first piece ends with the cell's sums
+  Index moments_a_piece_ = 0;
   std::vector<double> residual_;  ///< stored order, n x dimension
   std::vector<double> data_rhs_;  ///< A^T W P, gathered in the pass that makes the moments
 };

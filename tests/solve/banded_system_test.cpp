@@ -1,9 +1,10 @@
 // The normal equations of scattered points against full matrices.
+#include "solve/banded_system.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "fit/scattered.h"
 #include "knotfit/threads.h"
 #include "support/dense_reference.h"
 namespace knotfit::test {
@@ -49,7 +50,7 @@ TEST_P(Assembly, IsThatOfTheFullMatrices) {
     const DenseProblem dense(points, u.knots(), v.knots(), floor);
     const Eigen::MatrixXd magnitude =
         dense.a.cwiseAbs().transpose() * dense.w.asDiagonal() * dense.data.cwiseAbs();
-    ScatteredBackend backend(points);
+    BandedSystem backend(points);
     ASSERT_TRUE(backend.factor(u, v, floor));
     EXPECT_NEAR(backend.smoothing(), dense.lambda, 1e-9 * dense.lambda);
     const std::vector<double> net = backend.project_data();
@@ -88,7 +89,7 @@ TEST(Assembly, SameBitsForOneAndTwoThreads) {
   std::vector<double> first_net, first_correction;
   for (int threads : {1, 2, 4}) {
     set_thread_count(threads);
-    ScatteredBackend backend(points);
+    BandedSystem backend(points);
     ASSERT_TRUE(backend.factor(u, v, 1e-9));
     const std::vector<double> net = backend.project_data();
     const double squares = backend.residuals(net).squares;
@@ -109,7 +110,7 @@ TEST(Assembly, WithoutAFloorEmptyCellsAreFoundSingular) {
   ParameterizedPoints points = random_points(random, 500, 1);
   for (double& x : points.uv) x /= 2;
   const Axis axis(3, std::vector{0.1, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9});
-  ScatteredBackend backend(points);
+  BandedSystem backend(points);
   EXPECT_FALSE(backend.factor(axis, axis, 0));
   EXPECT_TRUE(backend.factor(axis, axis, 1e-9));
   EXPECT_EQ(backend.empty_cells(), 81 - 25);

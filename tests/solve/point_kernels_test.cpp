@@ -1,4 +1,4 @@
-#include "fit/kernels.h"
+#include "solve/point_kernels.h"
 
 #include <gtest/gtest.h>
 

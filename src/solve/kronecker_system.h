@@ -1,14 +1,15 @@
 // Points that fill a tensor grid with equal weights: the normal matrix is a Kronecker product, so
 // each direction is solved on its own (exact) [METHOD 6.2].
 #pragma once
-#include "fit/backend.h"
 #include "solve/banded.h"
+#include "solve/normal_system.h"
 namespace knotfit {
 
-class GriddedBackend final : public FitBackend {
+class KroneckerSystem final : public NormalSystem {
  public:
   /// \param grid  not empty (find_grid)
-  GriddedBackend(const ParameterizedPoints& points, GridLayout grid);
+  KroneckerSystem(const ParameterizedPoints& points, GridLayout grid);
+  void arrange(const Axis& u, const Axis& v) override;
   bool factor(const Axis& u, const Axis& v, double relative_smoothing) override;
   std::vector<double> project_data() override { return project(values_); }
   std::vector<double> project_residual() override { return project(residual_); }
@@ -28,7 +29,8 @@ class GriddedBackend final : public FitBackend {
     BandMatrix matrix;
     double norm = 0, smoothing = 0;
   };
-  bool set(Direction& direction, const Axis& axis, const std::vector<double>& lines, double relative);
+  static void arrange(Direction& direction, const Axis& axis, const std::vector<double>& lines);
+  bool factor(Direction& direction, const Axis& axis, double relative);
   std::vector<double> project(const std::vector<double>& x) const;
 
   int dimension_;

@@ -1,12 +1,12 @@
-#include "fit/problem.h"
+#include "fit/fit_problem.h"
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
-#include "fit/gridded.h"
-#include "fit/scattered.h"
 #include "knotfit/exceptions.h"
+#include "solve/banded_system.h"
+#include "solve/kronecker_system.h"
+#include "solve/smoothing_floor.h"
 namespace knotfit {
 
 FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degree_v,
@@ -15,6 +15,7 @@ FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degr
       degree_u_(degree_u),
       degree_v_(degree_v),
       options_(options),
+      counted_(points.size()),
       u_(degree_u),
       v_(degree_v) {
   validate(points);
@@ -26,91 +27,61 @@ FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degr
       on_grid_ = true;
       most_u_ = static_cast<Index>(grid.u.size());
       most_v_ = static_cast<Index>(grid.v.size());
-      backend_ = std::make_unique<GriddedBackend>(points, std::move(grid));
+      system_ = std::make_unique<KroneckerSystem>(points, std::move(grid));
     }
-  if (!backend_) {
-    auto scattered = std::make_unique<ScatteredBackend>(points, options.energy);
-    scattered_ = scattered.get();
-    backend_ = std::move(scattered);
-  }
-  backend_->keep_norm(options.estimate_condition);
+  if (!system_) system_ = std::make_unique<BandedSystem>(points, options.energy);
+  system_->keep_norm(options.estimate_condition);
 }
 
-FitProblem::~FitProblem() = default;
-
-ScatteredBackend& FitProblem::scattered() {
-  if (!scattered_) throw std::logic_error("knots move on scattered points only");
-  return *scattered_;
-}
-
-void FitProblem::take_new_points() {
-  scattered().append(points_, scattered().points().size());
-}
-
-bool FitProblem::factor(const InteriorKnots& knots) {
-  ++fits_;
+void FitProblem::set_knots(const InteriorKnots& knots) {
   knots_ = knots;
   u_ = Axis(degree_u_, knots.u);
   v_ = Axis(degree_v_, knots.v);
-  return backend_->factor(u_, v_, options_.smoothing);
 }
 
 void FitProblem::evaluate(const InteriorKnots& knots, std::vector<double> net) {
-  knots_ = knots;
-  u_ = Axis(degree_u_, knots.u);
-  v_ = Axis(degree_v_, knots.v);
+  set_knots(knots);
   net_ = std::move(net);
-  scattered().arrange(u_, v_);
-  take(backend_->residuals(net_));
+  system_->arrange(u_, v_);
+  take(system_->residuals(net_));
 }
 
 std::vector<double> FitProblem::errors() const {
-  std::vector<double> errors = backend_->errors();
-  if (scattered_) errors.resize(static_cast<std::size_t>(scattered_->counted()));
+  std::vector<double> errors = system_->errors();
+  errors.resize(static_cast<std::size_t>(counted_));
   return errors;
 }
 
-void FitProblem::restore(std::vector<double> net, std::vector<double> residual) {
-  net_ = std::move(net);
-  take(scattered().set_residual(std::move(residual)));
-}
-
 void FitProblem::take(const ResidualSums& sums) {
-  const Index counted = scattered_ ? scattered_->counted() : points_.size();
-  rms_ = std::sqrt(sums.squares / static_cast<double>(counted));
+  rms_ = std::sqrt(sums.squares / static_cast<double>(counted_));
   max_ = sums.max;
   phi_ = sums.weighted;
 }
 
 bool FitProblem::solve(const InteriorKnots& knots) {
   ++fits_;
-  knots_ = knots;
-  u_ = Axis(degree_u_, knots.u);
-  v_ = Axis(degree_v_, knots.v);
+  set_knots(knots);
   rms_ = max_ = phi_ = std::numeric_limits<double>::infinity();
   net_.clear();
-  // Rounding can beat a very small floor: raise it rather than give up, and report what was used.
-  // A floor of the caller's own beyond what is raised to is tried as it is.
-  const double most = std::max(options_.smoothing, 1e-5);
-  bool solved = false;
-  for (double floor = options_.smoothing; !solved && floor <= most; floor = std::max(100 * floor, 1e-12)) {
-    if (!backend_->factor(u_, v_, floor)) continue;
-    net_ = backend_->project_data();
-    ResidualSums sums = backend_->residuals(net_);
+  const bool solved = with_smoothing_floor(options_.smoothing, [&](double floor) {
+    if (!system_->factor(u_, v_, floor)) return false;
+    net_ = system_->project_data();
+    ResidualSums sums = system_->residuals(net_);
     for (int step = 0; step < options_.refinement_steps && std::isfinite(sums.squares); ++step) {
-      const std::vector<double> correction = backend_->project_residual();
+      const std::vector<double> correction = system_->project_residual();
       for (std::size_t i = 0; i < net_.size(); ++i) net_[i] -= correction[i];
-      sums = backend_->residuals(net_);
+      sums = system_->residuals(net_);
     }
     take(sums);
-    solved = std::isfinite(rms_) && std::isfinite(max_);
-    for (std::size_t i = 0; i < net_.size() && solved; ++i) solved = std::isfinite(net_[i]);
-  }
+    bool finite = std::isfinite(rms_) && std::isfinite(max_);
+    for (std::size_t i = 0; i < net_.size() && finite; ++i) finite = std::isfinite(net_[i]);
+    return finite;
+  });
   if (!solved) rms_ = max_ = phi_ = std::numeric_limits<double>::infinity();
   return solved;
 }
 
-double FitProblem::work(Index functions_u, Index functions_v) const {
+double FitProblem::operations(Index functions_u, Index functions_v) const {
   const double points = static_cast<double>(points_.size()) * points_.dimension;
   const double m = degree_u_, n = degree_v_;
   if (on_grid_) return points * (4 * m + 4 * n + 16);

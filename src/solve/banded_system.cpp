@@ -1,13 +1,13 @@
-#include "fit/scattered.h"
+#include "solve/banded_system.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "fit/cell_energy.h"
-#include "fit/kernels.h"
+#include "solve/cell_energy.h"
 #include "solve/degrees.h"
+#include "solve/point_kernels.h"
 #include "solve/spans_in_turn.h"
 #include "solve/thin_plate.h"
 namespace knotfit {
@@ -23,11 +23,10 @@ static_assert(kDynamic == Eigen::Dynamic);
 
 }  // namespace
 
-ScatteredBackend::ScatteredBackend(const ParameterizedPoints& points,
-                                   std::shared_ptr<const DataEnergy> energy)
+BandedSystem::BandedSystem(const ParameterizedPoints& points, std::shared_ptr<const DataEnergy> energy)
     : order_(points), energy_(std::move(energy)), counted_(points.size()) {}
 
-double ScatteredBackend::mean_weight() const {
+double BandedSystem::mean_weight() const {
   if (order_.weights().empty()) return 1;
   const std::vector<double>& w = order_.weights();
   return parallel_sum<double>(order_.size(),
@@ -37,7 +36,7 @@ double ScatteredBackend::mean_weight() const {
          static_cast<double>(order_.size());
 }
 
-void ScatteredBackend::arrange(const Axis& u, const Axis& v) {
+void BandedSystem::arrange(const Axis& u, const Axis& v) {
   u_ = &u;
   v_ = &v;
   swapped_ = v.functions() > u.functions();
@@ -49,7 +48,7 @@ void ScatteredBackend::arrange(const Axis& u, const Axis& v) {
   arranged_v_ = v.knots();
 }
 
-bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoothing) {
+bool BandedSystem::factor(const Axis& u, const Axis& v, double relative_smoothing) {
   arrange(u, v);
   const Axis &outer = *outer_, &inner = *inner_;
   empty_cells_ = order_.empty_cells();
@@ -59,6 +58,7 @@ bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoo
               rhs_size = Index{d} * outer.width() * inner.width();
   const auto& pieces = order_.pieces();
   const auto& start = order_.piece_start();
+  moments_a_piece_ = matrix_size + rhs_size;
   moments_.assign(pieces.size() * (matrix_size + rhs_size), 0.0);
   parallel_for(static_cast<Index>(pieces.size()), [&](Index i) {
     double* m = moments_.data() + i * (matrix_size + rhs_size);
@@ -117,7 +117,7 @@ bool ScatteredBackend::factor(const Axis& u, const Axis& v, double relative_smoo
   return matrix_.factor();
 }
 
-void ScatteredBackend::add_smoothing(double relative) {
+void BandedSystem::add_smoothing(double relative) {
   const EnergyGrams o(*outer_), i(*inner_);
   const int wo = outer_->width(), wi = inner_->width();
   const Index no = outer_->functions(), ni = inner_->functions();
@@ -134,7 +134,7 @@ void ScatteredBackend::add_smoothing(double relative) {
         }
 }
 
-std::vector<double> ScatteredBackend::project(bool residual) {
+std::vector<double> BandedSystem::project(bool residual) {
   const Axis &outer = *outer_, &inner = *inner_;
   const int d = order_.dimension(), wo = outer.width(), wi = inner.width();
   const Index no = outer.functions(), ni = inner.functions(), n = no * ni;
@@ -182,7 +182,7 @@ std::vector<double> ScatteredBackend::project(bool residual) {
   return net;
 }
 
-ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
+ResidualSums BandedSystem::residuals(const std::vector<double>& net) {
   const Axis &outer = *outer_, &inner = *inner_;
   const int d = order_.dimension(), wo = outer.width(), wi = inner.width();
   const Index no = outer.functions(), ni = inner.functions();
@@ -219,7 +219,7 @@ ResidualSums ScatteredBackend::residuals(const std::vector<double>& net) {
   return total;
 }
 
-ResidualSums ScatteredBackend::set_residual(std::vector<double> residual) {
+ResidualSums BandedSystem::set_residual(std::vector<double> residual) {
   residual_ = std::move(residual);
   ResidualSums total = parallel_sum<ResidualSums>(order_.size(), [&](Index begin, Index end) {
     ResidualSums sum;
@@ -230,21 +230,21 @@ ResidualSums ScatteredBackend::set_residual(std::vector<double> residual) {
   return total;
 }
 
-ResidualSums ScatteredBackend::sums_of(Index stored) const {
+ResidualSums BandedSystem::sums_of(Index stored) const {
   const double square = squared(stored);
   const double weight = order_.weights().empty() ? 1.0 : order_.weights()[stored];
   const bool counts = order_.input(stored) < counted_;
   return {counts ? square : 0, weight * square, counts ? square : 0};
 }
 
-double ScatteredBackend::squared(Index stored) const {
+double BandedSystem::squared(Index stored) const {
   const int d = order_.dimension();
   double square = 0;
   for (int e = 0; e < d; ++e) square += residual_[stored * d + e] * residual_[stored * d + e];
   return square;
 }
 
-std::vector<double> ScatteredBackend::errors() const {
+std::vector<double> BandedSystem::errors() const {
   std::vector<double> errors(order_.size());
   parallel_chunks(order_.size(), [&](Index, Index begin, Index end) {
     for (Index i = begin; i < end; ++i) errors[order_.input(i)] = std::sqrt(squared(i));

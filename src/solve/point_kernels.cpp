@@ -1,4 +1,4 @@
-#include "fit/kernels.h"
+#include "solve/point_kernels.h"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +52,7 @@ constexpr int kBatch = 128, kGroups = kBatch / kLanes;  // points taken at once,
 
 /// Up to kBatch points of a piece: Legendre values P_a of either coordinate as p[a][group], and x, which is 0
 /// past the piece's end.
-struct Batch {
+struct PointBatch {
   Vector p[kMostMoments][kGroups], q[kMostMoments][kGroups], x[kGroups], weight[kGroups];
   int count = 0, groups = 0;
 
@@ -96,7 +96,7 @@ template <class Counts>
 [[gnu::always_inline]] inline void moments(const Counts& n, const CellOrder& order, const CellPiece& piece,
                                            double* matrix, double* rhs) {
   const int dimension = order.dimension();
-  Batch batch;
+  PointBatch batch;
   for (Index begin = piece.begin; begin < piece.end; begin += kBatch) {
     batch.load(order, begin, piece.end, n.qo, n.qi);
     for (int g = 0; g < batch.groups; ++g) batch.x[g] = batch.weight[g];
@@ -113,7 +113,7 @@ template <class Counts>
 [[gnu::always_inline]] inline void rhs_moments(const Counts& n, const CellOrder& order,
                                                const CellPiece& piece, const double* values, double* rhs) {
   const int dimension = order.dimension();
-  Batch batch;
+  PointBatch batch;
   for (Index begin = piece.begin; begin < piece.end; begin += kBatch) {
     batch.load(order, begin, piece.end, n.wo, n.wi);
     for (int g = 0; g < batch.groups; ++g) batch.x[g] = batch.weight[g];

@@ -1,4 +1,4 @@
-#include "fit/data_energy.h"
+#include "solve/data_energy.h"
 
 #include <algorithm>
 #include <utility>
