@@ -1,93 +1,154 @@
 #include "fit/curve_problem.h"
 
-#include <Eigen/Sparse>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "knotfit/basis.h"
 #include "knotfit/fit_least_squares.h"
+#include "solve/axis.h"
+#include "solve/banded.h"
 #include "solve/gauss_rule.h"
+#include "solve/smoothing_floor.h"
 namespace knotfit {
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
+constexpr double kSecondFloor = 1e-14;  // the first beyond none, in one direction
+// Knots so close that rounding beats every floor: of the trace, what keeps functions that meet no data at the centre of the
+// frame. Rounding is 1e-16, and a share of 1e-12 is taken out by the refinement step where data is.
+constexpr double kRidge = 1e-12;
 
-KnotVector periodic_knots(int degree, const std::vector<double>& period) {
-  const Index n = static_cast<Index>(period.size());
-  std::vector<double> knots;
-  for (Index j = 0; j <= n + 2 * degree; ++j) {
-    const Index i = j - degree, turn = (i >= 0 ? i : i - n + 1) / n;
-    knots.push_back(period[i - turn * n] + static_cast<double>(turn));
+/// Where the functions of an axis stand in a band. Those of a period are numbered from both sides of the seam in turn, so that
+/// neighbours on the ring are at most 2 degree + 1 apart.
+class BandPlaces {
+ public:
+  explicit BandPlaces(const Axis& axis) : n_(axis.functions()), ring_(axis.is_periodic()) {}
+  Index operator()(Index function) const {
+    if (!ring_) return function;
+    return 2 * function < n_ ? 2 * function : 2 * (n_ - 1 - function) + 1;
   }
-  return KnotVector(degree, std::move(knots));
+  static Index bandwidth(const Axis& axis) {
+    return axis.is_periodic() ? 2 * axis.degree() + 1 : axis.degree();
+  }
+
+ private:
+  Index n_;
+  bool ring_;
+};
+
+void add(BandMatrix& matrix, Index i, Index j, double value) {
+  matrix.add(std::max(i, j), std::min(i, j), value);
 }
 
-/// tr-scaled second derivatives (first, for degree 1), squared and integrated.
-Sparse energy(const KnotVector& knots, Index n) {
-  const int m = knots.degree(), order = m > 1 ? 2 : 1, w = m + 1;
-  const GaussRule& rule = gauss_rule(m);
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<double> table((order + 1) * w);
-  for (Index s = m; s < knots.size(); ++s) {
-    const double h = knots[s + 1] - knots[s];
-    if (!(h > 0)) continue;
-    for (std::size_t g = 0; g < rule.node.size(); ++g) {
-      basis_derivatives(knots, s, knots[s] + h * (rule.node[g] + 1) / 2, order, table);
-      for (int a = 0; a < w; ++a)
-        for (int b = 0; b < w; ++b)
-          entries.emplace_back((s - m + a) % n, (s - m + b) % n,
-                               rule.weight[g] * h / 2 * table[order * w + a] * table[order * w + b]);
+/// Second derivatives (first, for degree 1), squared and integrated, times a factor.
+void add_thin_plate(const Axis& axis, double factor, const std::vector<double>& gram, BandMatrix& matrix) {
+  const BandPlaces place(axis);
+  const Index n = axis.functions();
+  for (Index i = 0; i < n; ++i)
+    for (Index k = 0; k < axis.width(); ++k) {
+      const Index j = i - k;
+      if (j < 0 && !axis.is_periodic()) break;
+      add(matrix, place(i), place(j < 0 ? j + n : j), factor * gram[i * axis.width() + k]);
     }
-  }
-  Sparse j(n, n);
-  j.setFromTriplets(entries.begin(), entries.end());
-  return j;
 }
 
-/// The data energy of the curve of a strip, which counts twice what the curve counts once.
-struct HeldTerms {
-  Sparse matrix;
-  Eigen::MatrixXd right;
-  HeldTerms(const DataEnergy& energy, const KnotVector& knots, Index n, double factor, int dimension)
-      : matrix(n, n), right(Eigen::MatrixXd::Zero(n, dimension)) {
-    const int m = knots.degree(), w = m + 1, most = std::min(m, 2);
-    const GaussRule& rule = gauss_rule(m);
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<double> table((most + 1) * w), weight(DataEnergy::kKinds), goal(energy.goal_size()),
-        scratch(energy.scratch_size());
-    for (Index s = m; s < knots.size(); ++s) {
-      const double low = knots[s], h = knots[s + 1] - low;
-      if (!(h > 0)) continue;
-      energy.integrate(low, low + h, 0, 1, weight.data(), goal.data(), scratch.data());
-      for (int order = 1; order <= most; ++order) {
-        const int kind = order == 1 ? DataRaster::kU : DataRaster::kUu;
-        Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(w, w);                       // means of products
-        Eigen::MatrixXd legendre = Eigen::MatrixXd::Zero(DataEnergy::kOrder, w);  // coefficients
-        for (std::size_t g = 0; g < rule.node.size(); ++g) {
-          basis_derivatives(knots, s, low + h * (rule.node[g] + 1) / 2, order, table);
-          const Eigen::Map<const Eigen::RowVectorXd> of(table.data() + order * w, w);
-          gram += rule.weight[g] / 2 * of.transpose() * of;
-          legendre.row(0) += rule.weight[g] / 2 * of;
-          legendre.row(1) += 1.5 * rule.weight[g] * rule.node[g] * of;
-        }
+/// Adds the data energy of the curve of a strip, which counts twice what the curve counts once.
+/// \param right  n x dimension, column after column
+void add_held_terms(const DataEnergy& energy, const Axis& axis, double factor, int dimension,
+                    BandMatrix& matrix, std::vector<double>& right) {
+  const int m = axis.degree(), w = axis.width(), most = std::min(m, 2);
+  const Index n = axis.functions();
+  const BandPlaces place(axis);
+  const GaussRule& rule = gauss_rule(m);
+  std::vector<double> table((most + 1) * w), weight(DataEnergy::kKinds), goal(energy.goal_size()),
+      scratch(energy.scratch_size());
+  for (Index s = 0; s < axis.spans(); ++s) {
+    const double low = axis.low(s), h = axis.length(s);
+    if (!(h > 0)) continue;
+    energy.integrate(low, low + h, 0, 1, weight.data(), goal.data(), scratch.data());
+    for (int order = 1; order <= most; ++order) {
+      const int kind = order == 1 ? DataRaster::kU : DataRaster::kUu;
+      std::vector<double> gram(w * w, 0.0),
+          legendre(DataEnergy::kOrder * w, 0.0);  // means of products; coefficients
+      for (std::size_t g = 0; g < rule.node.size(); ++g) {
+        basis_derivatives(axis.knots(), s + m, low + h * (rule.node[g] + 1) / 2, order, table);
+        const double* of = table.data() + order * w;
         for (int a = 0; a < w; ++a) {
-          const Index row = (s - m + a) % n;
-          for (int b = 0; b < w; ++b)
-            entries.emplace_back(row, (s - m + b) % n, factor / 2 * weight[kind] * gram(a, b));
-          for (int x = 0; x < DataEnergy::kOrder; ++x)
-            for (int e = 0; e < dimension; ++e)
-              right(row, e) +=
-                  factor / 2 * legendre(x, a) *
-                  goal[(Index{x * DataEnergy::kOrder} * DataEnergy::kKinds + kind) * energy.dimension() + e];
+          for (int b = 0; b <= a; ++b) gram[a * w + b] += rule.weight[g] / 2 * of[a] * of[b];
+          legendre[a] += rule.weight[g] / 2 * of[a];
+          legendre[w + a] += 1.5 * rule.weight[g] * rule.node[g] * of[a];
         }
       }
+      for (int a = 0; a < w; ++a) {
+        const Index row = place(axis.function(s, a));
+        for (int b = 0; b <= a; ++b)
+          add(matrix, row, place(axis.function(s, b)), factor / 2 * weight[kind] * gram[a * w + b]);
+        for (int x = 0; x < DataEnergy::kOrder; ++x)
+          for (int e = 0; e < dimension; ++e)
+            right[e * n + row] +=
+                factor / 2 * legendre[x * w + a] *
+                goal[(Index{x * DataEnergy::kOrder} * DataEnergy::kKinds + kind) * energy.dimension() + e];
+      }
     }
-    matrix.setFromTriplets(entries.begin(), entries.end());
+  }
+}
+
+/// The rows of A: the functions alive at each point, times the root of its weight.
+struct Rows {
+  const CurvePoints& points;
+  const Axis& axis;
+  BandPlaces place;
+  std::vector<Index> places;  // of a span's functions
+  std::vector<Index> span;
+  std::vector<double> value;  // n x width
+
+  Rows(const CurvePoints& p, const Axis& a) : points(p), axis(a), place(a) {
+    for (Index s = 0; s < a.spans(); ++s)
+      for (int i = 0; i < a.width(); ++i) places.push_back(place(a.function(s, i)));
+    const double first = a.knots().first();
+    for (Index k = 0; k < p.size(); ++k) {
+      const double t = p.closed && p.t[k] < first ? p.t[k] + 1 : p.t[k], root = std::sqrt(p.weight(k));
+      std::array<double, kMaxDegree + 1> basis{};
+      span.push_back(a.span(t));
+      basis_functions(a.knots(), span.back() + a.degree(), t, std::span(basis).first(a.width()));
+      for (int i = 0; i < a.width(); ++i) value.push_back(root * basis[i]);
+    }
+  }
+  Index at(Index k, int i) const { return places[span[k] * axis.width() + i]; }
+  double operator()(Index k, int i) const { return value[k * axis.width() + i]; }
+
+  void add_gram(BandMatrix& matrix) const {
+    for (Index k = 0; k < points.size(); ++k)
+      for (int i = 0; i < axis.width(); ++i)
+        for (int j = 0; j <= i; ++j) add(matrix, at(k, i), at(k, j), (*this)(k, i) * (*this)(k, j));
+  }
+  /// Adds A^T x, x n x dimension, to y, functions x dimension, column after column.
+  void add_transposed(const std::vector<double>& x, std::vector<double>& y) const {
+    const Index n = axis.functions();
+    for (Index k = 0; k < points.size(); ++k)
+      for (int i = 0; i < axis.width(); ++i)
+        for (int e = 0; e < points.dimension; ++e)
+          y[e * n + at(k, i)] += (*this)(k, i) * x[k * points.dimension + e];
+  }
+  /// A c - P, both times the root of the weight; n x dimension.
+  std::vector<double> residual(const std::vector<double>& c) const {
+    const Index n = axis.functions();
+    const int d = points.dimension;
+    std::vector<double> r(points.values.size());
+    for (Index k = 0; k < points.size(); ++k)
+      for (int e = 0; e < d; ++e) {
+        double sum = -std::sqrt(points.weight(k)) * points.value(k)[e];
+        for (int i = 0; i < axis.width(); ++i) sum += (*this)(k, i) * c[e * n + at(k, i)];
+        r[k * d + e] = sum;
+      }
+    return r;
   }
 };
+
+bool all_finite(const std::vector<double>& x) {
+  return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+}
 
 }  // namespace
 
@@ -107,53 +168,51 @@ bool CurveProblem::solve(const std::vector<double>& knots) {
   ++fits_;
   phi_ = std::numeric_limits<double>::infinity();
   knots_ = knots;
-  const int m = degree_, w = m + 1, d = points_.dimension;
-  if (points_.closed && static_cast<int>(knots.size()) < w) return false;
-  const KnotVector vector = points_.closed ? periodic_knots(m, knots) : KnotVector::clamped(m, knots);
-  const Index n = points_.closed ? static_cast<Index>(knots.size()) : vector.size(), count = points_.size();
-  std::vector<Eigen::Triplet<double>> entries;
-  std::array<double, kMaxDegree + 1> basis{};
-  for (Index k = 0; k < count; ++k) {
-    const double t = points_.closed && points_.t[k] < vector.first() ? points_.t[k] + 1 : points_.t[k];
-    const Index span = vector.find_span(t);
-    basis_functions(vector, span, t, std::span(basis).first(w));
-    const double root = std::sqrt(points_.weight(k));
-    for (int a = 0; a < w; ++a) entries.emplace_back(k, (span - m + a) % n, root * basis[a]);
-  }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> a(count, n);
-  a.setFromTriplets(entries.begin(), entries.end());
-  Eigen::MatrixXd p(count, d);
-  for (Index k = 0; k < count; ++k)
-    for (int e = 0; e < d; ++e) p(k, e) = std::sqrt(points_.weight(k)) * points_.value(k)[e];
-  const Sparse g = Sparse(a.transpose() * a), j = energy(vector, n);
-  const auto trace = [](const Sparse& x) { return x.diagonal().sum(); };
-  std::optional<HeldTerms> held;
-  if (energy_) held.emplace(*energy_, vector, n, mean_weight_, d);
-  Eigen::SimplicialLDLT<Sparse> factor;
-  for (double floor = smoothing_; floor <= std::max(1e-5, smoothing_); floor = std::max(100 * floor, 1e-14)) {
-    Sparse matrix = g + floor * trace(g) / trace(j) * j;
-    if (held) matrix += held->matrix;
-    factor.compute(matrix);
-    if (factor.info() == Eigen::Success && factor.vectorD().minCoeff() > 0) break;
-  }
-  if (factor.info() != Eigen::Success) return false;
-  Eigen::MatrixXd right = a.transpose() * p;
-  if (held) right += held->right;
-  Eigen::MatrixXd c = factor.solve(right);
-  Eigen::MatrixXd r = a * c - p;
-  Eigen::MatrixXd gradient = a.transpose() * r;
-  if (held) gradient += held->matrix * c - held->right;
-  c -= factor.solve(gradient);
-  r = a * c - p;
-  if (!c.allFinite() || !r.allFinite()) return false;
-  phi_ = r.squaredNorm();
-  r_.resize(static_cast<std::size_t>(count * d));
-  for (Index k = 0; k < count; ++k)
-    for (int e = 0; e < d; ++e) r_[k * d + e] = r(k, e);
-  std::vector<double> net(static_cast<std::size_t>(vector.size() * d));
-  for (Index i = 0; i < vector.size(); ++i)
-    for (int e = 0; e < d; ++e) net[i * d + e] = c(i % n, e);
-  curve_ = Curve(vector, d, std::move(net));
+  const int d = points_.dimension;
+  if (points_.closed && static_cast<int>(knots.size()) < degree_ + 1) return false;
+  const Axis axis = points_.closed ? Axis::periodic(degree_, knots) : Axis(degree_, knots);
+  const Index n = axis.functions();
+  const Rows rows(points_, axis);
+  BandMatrix normal(n, BandPlaces::bandwidth(axis)), held(n, BandPlaces::bandwidth(axis));
+  rows.add_gram(normal);
+  std::vector<double> data(n * d, 0.0), goals(n * d, 0.0), weighted;
+  for (Index k = 0; k < points_.size(); ++k)
+    for (int e = 0; e < d; ++e) weighted.push_back(std::sqrt(points_.weight(k)) * points_.value(k)[e]);
+  rows.add_transposed(weighted, data);
+  if (energy_) add_held_terms(*energy_, axis, mean_weight_, d, held, goals);
+  for (std::size_t i = 0; i < data.size(); ++i) data[i] += goals[i];
+  const std::vector<double> gram = axis.gram(std::min(2, degree_));
+  double trace = 0;
+  for (Index i = 0; i < n; ++i) trace += gram[i * axis.width()];
+  BandMatrix matrix;
+  // What hardly meets data is left to the data energy: any pivot will do.
+  const auto factor = [&](double floor, double ridge) {
+    matrix = normal;
+    add_thin_plate(axis, floor * normal.trace() / trace, gram, matrix);
+    if (energy_) matrix.add(held);
+    for (Index i = 0; i < n; ++i) matrix.add(i, i, ridge);
+    return matrix.factor(0);
+  };
+  const bool factored = with_smoothing_floor(
+                            smoothing_, [&](double floor) { return factor(floor, 0); }, kSecondFloor) ||
+                        factor(std::max(smoothing_, kSecondFloor), kRidge * normal.trace());
+  if (!factored) return false;
+  std::vector<double> c = data;
+  matrix.solve(c.data(), d);
+  // One refinement step takes the floor's share out.
+  std::vector<double> gradient = energy_ ? held.times(c) : std::vector<double>(n * d, 0.0);
+  for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] -= goals[i];
+  rows.add_transposed(rows.residual(c), gradient);
+  matrix.solve(gradient.data(), d);
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] -= gradient[i];
+  r_ = rows.residual(c);
+  if (!all_finite(c) || !all_finite(r_)) return false;
+  phi_ = 0;
+  for (const double x : r_) phi_ += x * x;
+  std::vector<double> net;
+  for (Index i = 0; i < axis.knots().size(); ++i)
+    for (int e = 0; e < d; ++e) net.push_back(c[e * n + rows.place(i % n)]);
+  curve_ = Curve(axis.knots(), d, std::move(net));
   return true;
 }
 

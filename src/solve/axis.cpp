@@ -8,10 +8,34 @@
 #include "solve/gauss_rule.h"
 namespace knotfit {
 
+namespace {
+
+/// p_j = p_{j mod n} + j div n, from -degree to n + degree.
+KnotVector running_on(int degree, std::span<const double> period) {
+  const Index n = static_cast<Index>(period.size());
+  std::vector<double> knots;
+  for (Index j = 0; j <= n + 2 * degree; ++j) {
+    const Index i = j - degree, turn = (i >= 0 ? i : i - n + 1) / n;
+    knots.push_back(period[i - turn * n] + static_cast<double>(turn));
+  }
+  return KnotVector(degree, std::move(knots));
+}
+
+}  // namespace
+
 Axis::Axis(int degree, std::span<const double> interior)
-    : degree_(degree),
-      knots_(KnotVector::clamped(degree, interior)),
-      spans_(static_cast<Index>(interior.size()) + 1) {
+    : Axis(KnotVector::clamped(degree, interior), static_cast<Index>(interior.size()) + 1, false) {}
+
+Axis Axis::periodic(int degree, std::span<const double> period) {
+  return Axis(running_on(degree, period), static_cast<Index>(period.size()), true);
+}
+
+Axis::Axis(KnotVector knots, Index spans, bool periodic)
+    : degree_(knots.degree()),
+      knots_(std::move(knots)),
+      spans_(spans),
+      periodic_(periodic),
+      first_(knots_.first()) {
   low_.resize(spans_);
   upper_.resize(spans_);
   scale_.resize(spans_);
@@ -30,13 +54,13 @@ Axis::Axis(int degree, std::span<const double> interior)
   Index s = 0;
   for (int b = 0; b <= buckets_; ++b) {
     // One bucket early: x * buckets_ may round up across a boundary.
-    const double x = (b - 1e-9) / buckets_;
+    const double x = first_ + (b - 1e-9) / buckets_;
     while (x >= upper_[s]) ++s;
     bucket_[b] = s;
   }
 
   const int w = width(), q = moments(), np = pairs();
-  const GaussRule& rule = gauss_rule(degree);
+  const GaussRule& rule = gauss_rule(degree_);
   basis_.assign(spans_ * w * w, 0);
   products_.assign(spans_ * np * q, 0);
   std::vector<double> b(w);
@@ -79,7 +103,7 @@ std::vector<double> Axis::gram(int derivative) const {
     for (int a = 0; a < w; ++a) {
       const double norm = length(s) / (2 * a + 1);  // int P_a^2 over the span
       for (int i = 0; i < w; ++i)
-        for (int k = 0; k <= i; ++k) result[(s + i) * w + k] += norm * c[a * w + i] * c[a * w + i - k];
+        for (int k = 0; k <= i; ++k) result[function(s, i) * w + k] += norm * c[a * w + i] * c[a * w + i - k];
     }
   }
   return result;

@@ -41,6 +41,22 @@ void BandMatrix::reset(Index size, Index bandwidth) {
   data_.assign(static_cast<std::size_t>(size_ * (bandwidth_ + 1)), 0.0);
 }
 
+std::vector<double> BandMatrix::times(const std::vector<double>& x) const {
+  std::vector<double> y(x.size(), 0.0);
+  for (std::size_t begin = 0; begin < x.size(); begin += static_cast<std::size_t>(size_))
+    for (Index j = 0; j < size_; ++j) {
+      const double* a = column(j);
+      const double* from = x.data() + begin;
+      double* to = y.data() + begin;
+      to[j] += a[0] * from[j];
+      for (Index k = 1; k <= std::min(bandwidth_, size_ - 1 - j); ++k) {
+        to[j + k] += a[k] * from[j];
+        to[j] += a[k] * from[j + k];
+      }
+    }
+  return y;
+}
+
 double BandMatrix::trace() const {
   double sum = 0;
   for (Index j = 0; j < size_; ++j) sum += data_[j * (bandwidth_ + 1)];
@@ -60,7 +76,7 @@ double BandMatrix::norm_1() const {
   return *std::max_element(sum.begin(), sum.end());
 }
 
-bool BandMatrix::factor() {
+bool BandMatrix::factor(double least_pivot) {
   one_blas_thread();
   const int n = narrow(size_), kd = narrow(bandwidth_), ld = kd + 1;
   int info = 0;
@@ -71,10 +87,10 @@ bool BandMatrix::factor() {
   else
     dpbtrf_("L", &n, &kd, data_.data(), &ld, &info);
   if (info != 0) return false;
-  // A pivot that is rounding of its diagonal, or no number: singular to working precision.
+  // A pivot that is rounding of its diagonal, or no number.
   for (Index j = 0; j < size_; ++j) {
     const double pivot = data_[j * ld];
-    if (!(pivot * pivot > 8 * std::numeric_limits<double>::epsilon() * diagonal[j])) return false;
+    if (!(pivot * pivot > least_pivot * diagonal[j])) return false;
   }
   return true;
 }

@@ -1,5 +1,6 @@
 // Symmetric positive definite band matrices: LAPACK behind one small interface.
 #pragma once
+#include <limits>
 #include <vector>
 
 #include "base/aligned.h"
@@ -38,12 +39,19 @@ class BandMatrix {
   Index bandwidth() const { return bandwidth_; }
   double* column(Index j) { return data_.data() + j * (bandwidth_ + 1); }
   const double* column(Index j) const { return data_.data() + j * (bandwidth_ + 1); }
+  /// Of the same size and bandwidth.
+  void add(const BandMatrix& other) {
+    for (std::size_t i = 0; i < data_.size(); ++i) data_[i] += other.data_[i];
+  }
   void add(Index i, Index j, double value) { data_[j * (bandwidth_ + 1) + i - j] += value; }
+  /// y = A x of the full symmetric matrix, before factor(); size x columns each, column after column.
+  std::vector<double> times(const std::vector<double>& x) const;
   double trace() const;
   double norm_1() const;  ///< largest column sum of the full symmetric matrix
   /// Cholesky factor in place (dpbtrf where the band is wide).
-  /// \return false where the matrix is not positive definite to working precision
-  bool factor();
+  /// \param least_pivot  of a pivot's square over its diagonal: below it is rounding
+  /// \return false where the matrix is not positive definite to that precision
+  bool factor(double least_pivot = 8 * std::numeric_limits<double>::epsilon());
   /// Solves with the factor in place; x is size x columns, column after column (dpbtrs).
   void solve(double* x, Index columns) const;
   /// x <- L^-1 x with the factor L.

@@ -1,4 +1,5 @@
-// The loops over points. One .cpp with a reference in tests/fit: each kernel takes one piece of one cell. Legendre counts are compile-time for equal degrees 1 to 5 and run-time otherwise.
+// The loops over points. One .cpp with a reference in tests/solve: each kernel takes one piece of one
+// cell. Legendre counts are compile-time for equal degrees 1 to 5 and run-time otherwise.
 #pragma once
 #include "solve/cell_order.h"
 #include "solve/normal_system.h"

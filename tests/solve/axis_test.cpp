@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "knotfit/basis.h"
 #include "spline/reference.h"
 #include "support/dense_reference.h"
 #include "support/random_splines.h"
@@ -164,6 +165,41 @@ TEST(Axis, GramMatricesAreTheIntegrals) {
               << "degree " << axis.degree() << ", derivative " << r;
         }
     }
+}
+
+TEST(Axis, OfAPeriodRunsOnOverTheSeam) {
+  const std::vector<double> period{0.05, 0.2, 0.3, 0.55, 0.6, 0.9};
+  for (int degree : {1, 2, 3, 5}) {
+    const Axis axis = Axis::periodic(degree, period);
+    ASSERT_TRUE(axis.is_periodic());
+    ASSERT_EQ(axis.functions(), 6);
+    const auto width = static_cast<std::size_t>(axis.width());
+    std::vector<double> b(width);
+    // Every place lies in its span, and a function that leaves at the end comes back at the start.
+    std::vector<double> at_start(6, 0.0), at_end(6, 0.0);
+    for (double x : {0.05, 0.0999, 0.3, 0.57, 0.95, 1.04}) {
+      const Index s = axis.span(x);
+      EXPECT_LE(axis.low(s), x);
+      EXPECT_LT(x, axis.low(s) + axis.length(s));
+    }
+    basis_functions(axis.knots(), degree, 0.05, b);
+    for (int i = 0; i <= degree; ++i) at_start[axis.function(0, i)] += b[i];
+    basis_functions(axis.knots(), 5 + degree, 1.05, b);
+    for (int i = 0; i <= degree; ++i) at_end[axis.function(5, i)] += b[i];
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(at_start[i], at_end[i], 1e-14) << "degree " << degree;
+    // The functions add up to 1: so do their integrals of products to the period, and of derivatives to 0.
+    for (int r = 0; r <= std::min(2, degree); ++r) {
+      const std::vector<double> band = axis.gram(r);
+      double sum = 0, magnitude = 0;
+      for (Index i = 0; i < 6; ++i)
+        for (int k = 0; k <= degree; ++k) {
+          const double entry = (k == 0 ? 1 : 2) * band[i * axis.width() + k];
+          sum += entry;
+          magnitude += std::abs(entry);
+        }
+      EXPECT_NEAR(sum, r == 0 ? 1 : 0, 1e-13 * magnitude) << "degree " << degree << ", derivative " << r;
+    }
+  }
 }
 
 }  // namespace

@@ -144,5 +144,33 @@ TEST(BandMatrix, MoreUnknownsThanAnIntCountsIsRefused) {
   expect_throw<InvalidInput>([] { BandMatrix(Index{1} << 31, 3); }, "ask for fewer control points");
 }
 
+TEST(BandMatrix, TimesIsTheFullSymmetricProduct) {
+  Random random;
+  const Index n = 9, bandwidth = 3;
+  BandMatrix a(n, bandwidth);
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(n, n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = j; i <= std::min(n - 1, j + bandwidth); ++i) {
+      const double x = random.uniform(-1, 1);
+      a.add(i, j, x);
+      full(i, j) = full(j, i) = x;
+    }
+  std::vector<double> x;
+  for (Index k = 0; k < 2 * n; ++k) x.push_back(random.uniform(-1, 1));
+  const std::vector<double> y = a.times(x);
+  const Eigen::MatrixXd expected = full * Eigen::Map<const Eigen::MatrixXd>(x.data(), n, 2);
+  for (Index k = 0; k < 2 * n; ++k) EXPECT_NEAR(y[k], expected.data()[k], 1e-14);
+}
+
+TEST(BandMatrix, APivotOfRoundingIsRefusedUnlessItIsAskedFor) {
+  for (const double least : {-1.0, 0.0}) {
+    BandMatrix a(2, 1);
+    a.add(0, 0, 1);
+    a.add(1, 0, 1);
+    a.add(1, 1, 1 + 4 * std::numeric_limits<double>::epsilon());
+    EXPECT_EQ(least < 0 ? a.factor() : a.factor(least), least == 0);
+  }
+}
+
 }  // namespace
 }  // namespace knotfit::test
