@@ -7,6 +7,7 @@
 
 #include "correct/block_moments.h"
 #include "knotfit/basis.h"
+#include "solve/smoothing_floor.h"
 #include "solve/spans_in_turn.h"
 namespace knotfit::correction {
 namespace {
@@ -285,23 +286,22 @@ std::optional<Surface> TangentSystem::solve(const SystemPoints& points, double s
     add_curvature(holding.curvature, matrix, rhs);
   }
   const double energy_trace = energy_.trace();
-  // Rounding can beat a very small floor: raise it rather than give up.
-  for (double floor = smoothing; floor <= std::max(smoothing, 1e-5); floor = std::max(100 * floor, 1e-12)) {
+  std::vector<double> x;
+  const bool solved = with_smoothing_floor(smoothing, [&](double floor) {
     const std::optional<BandMatrix> whole =
         factored(matrix, scalar, block, energy_trace > 0 ? floor * trace / energy_trace : 0);
-    if (!whole) continue;
-    std::vector<double> x = rhs;
+    if (!whole) return false;
+    x = rhs;
     whole->solve(x.data(), block == 1 ? 3 : 1);
-    if (!std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); })) continue;
-    std::vector<double> net(x.size());
-    for (Index i = 0; i < u_.functions(); ++i)
-      for (Index j = 0; j < v_.functions(); ++j)
-        for (Index d = 0; d < 3; ++d)
-          net[(i * v_.functions() + j) * 3 + d] =
-              x[block == 1 ? d * size + index(i, j) : 3 * index(i, j) + d];
-    return Surface(knots_u_, knots_v_, 3, std::move(net));
-  }
-  return std::nullopt;
+    return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+  });
+  if (!solved) return std::nullopt;
+  std::vector<double> net(x.size());
+  for (Index i = 0; i < u_.functions(); ++i)
+    for (Index j = 0; j < v_.functions(); ++j)
+      for (Index d = 0; d < 3; ++d)
+        net[(i * v_.functions() + j) * 3 + d] = x[block == 1 ? d * size + index(i, j) : 3 * index(i, j) + d];
+  return Surface(knots_u_, knots_v_, 3, std::move(net));
 }
 
 }  // namespace knotfit::correction
