@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "correct/work.h"
+#include "correct/prepared_mesh.h"
 #include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
@@ -22,12 +22,12 @@ CorrectionResult correct_parameters(const Mesh& mesh, const std::vector<double>&
   if (given.start && (given.start->dimension() != 3 || given.start->knots_u() != knots_u ||
                       given.start->knots_v() != knots_v))
     throw InvalidInput("the surface to start from is over other knots");
-  const correction::CorrectionWork work(mesh, uv, given);
-  CorrectionOptions options = work.options();
-  if (options.start) options.start = work.frame().inside(*options.start);
-  options.keep_by.value /= work.frame().diagonal;
+  const correction::PreparedMesh prepared(mesh, uv, given);
+  CorrectionOptions options = prepared.options();
+  if (options.start) options.start = prepared.frame().inside(*options.start);
+  options.keep_by.value /= prepared.frame().diagonal;
   const Stage stage(control, "correction");
-  return work.finish(work.run(uv, knots_u, knots_v, options, stage), !options.start, control);
+  return prepared.finish(prepared.run(uv, knots_u, knots_v, options, stage), !options.start, control);
 }
 
 CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const KnotVector& knots_u,

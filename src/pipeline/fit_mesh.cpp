@@ -134,15 +134,15 @@ void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions
   if (how.aspect == 0) how.aspect = map.quality.aspect;
   how.data_vertices = mesh.vertex_count();
   const Mesh halved = halve_edges(mesh, map.halved_edges);
-  const correction::CorrectionWork work(halved, map.all_uv(), how);
+  const correction::PreparedMesh prepared(halved, map.all_uv(), how);
   Request request = make_request(options.tolerance, has_size_or_knots(options), fit.points,
-                                 Frame(fit.points).rounding(), work.frame().diagonal);
+                                 Frame(fit.points).rounding(), prepared.frame().diagonal);
   r.diagonal = request.diagonal;
   r.asked = request.asked;
   r.tolerance = request.asked.value;
   if (!request.with_tolerance()) request.inside.measure = ErrorMeasure::rms;
-  MeshSearch found = request.searched ? search_mesh_sizes(work, options, request.inside, control)
-                                      : fit_mesh_size(work, options, options.control_points_u,
+  MeshSearch found = request.searched ? search_mesh_sizes(prepared, options, request.inside, control)
+                                      : fit_mesh_size(prepared, options, options.control_points_u,
                                                       options.control_points_v, request.inside, control);
   r.status = found.status;
   r.tried = std::move(found.tried);

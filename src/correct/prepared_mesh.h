@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "correct/correction_run.h"
 #include "correct/holding_mesh.h"
-#include "correct/rounds.h"
 #include "knotfit/correct.h"
 namespace knotfit::correction {
 
@@ -18,11 +18,11 @@ struct CorrectionFrame {
   Surface outside(const Surface& s) const;
 };
 
-class CorrectionWork {
+class PreparedMesh {
  public:
-  /// \param mesh  outlives the work
+  /// \param mesh  outlives this
   /// \throws InvalidInput  see correct_parameters(); knots are not looked at
-  CorrectionWork(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options);
+  PreparedMesh(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options);
 
   const CorrectionFrame& frame() const { return frame_; }
   const CorrectionOptions& options() const { return options_; }  ///< the aspect is known
@@ -30,8 +30,8 @@ class CorrectionWork {
 
   /// \param uv       of the mesh's vertices, to begin with
   /// \param options  in the frame: start, keep_by
-  Rounds run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
-             const CorrectionOptions& options, const Stage& stage, bool keep_start = true) const;
+  CorrectionRun run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
+                    const CorrectionOptions& options, const Stage& stage, bool keep_start = true) const;
 
   /// Of the distances in the knots of a surface in the frame. \return nothing where they cannot be solved for
   std::optional<KnotJacobian> knots(std::vector<double> uv, const Surface& surface) const;
@@ -41,7 +41,7 @@ class CorrectionWork {
   double error(const CorrectionResult& result, const Tolerance& tolerance) const;
 
   /// Out of the frame, parameters of the mesh's own triangles, distances and folds measured.
-  CorrectionResult finish(Rounds rounds, bool from_first_fit, const Control& control) const;
+  CorrectionResult finish(CorrectionRun rounds, bool from_first_fit, const Control& control) const;
 
  private:
   const Mesh& mesh_;

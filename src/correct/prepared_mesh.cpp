@@ -1,4 +1,4 @@
-#include "correct/work.h"
+#include "correct/prepared_mesh.h"
 
 #include <fmt/format.h>
 
@@ -115,7 +115,7 @@ Surface CorrectionFrame::outside(const Surface& s) const {
   return mapped(s, *this, true);
 }
 
-CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options)
+PreparedMesh::PreparedMesh(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options)
     : mesh_(mesh),
       first_((check(mesh, uv, options), std::move(uv))),
       options_(options),
@@ -135,39 +135,39 @@ CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const C
   for (const std::int32_t k : measured) sliding_[k] = untangling_[k];
 }
 
-Rounds CorrectionWork::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
-                           const CorrectionOptions& options, const Stage& stage, bool keep_start) const {
+CorrectionRun PreparedMesh::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
+                                const CorrectionOptions& options, const Stage& stage, bool keep_start) const {
   HoldingMesh mesh = holding_;
   mesh.uv = std::move(uv);
-  return run_rounds(std::move(mesh), knots_u, knots_v, options, stage, keep_start);
+  return run_correction(std::move(mesh), knots_u, knots_v, options, stage, keep_start);
 }
 
-std::optional<KnotJacobian> CorrectionWork::knots(std::vector<double> uv, const Surface& surface) const {
+std::optional<KnotJacobian> PreparedMesh::knots(std::vector<double> uv, const Surface& surface) const {
   HoldingMesh mesh = holding_;
   mesh.uv = std::move(uv);
   return knot_jacobian(std::move(mesh), surface, options_);
 }
 
-double CorrectionWork::error(const CorrectionResult& result, const Tolerance& tolerance) const {
+double PreparedMesh::error(const CorrectionResult& result, const Tolerance& tolerance) const {
   std::vector<double> distances;
   for (const double d : result.signed_distances)
     if (!std::isnan(d)) distances.push_back(std::abs(d) / frame_.diagonal);
   return distances.empty() ? INFINITY : measured_error(distances, tolerance);
 }
 
-CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, const Control& control) const {
+CorrectionResult PreparedMesh::finish(CorrectionRun run, bool from_first_fit, const Control& control) const {
   CorrectionResult result;
-  result.rounds = std::move(rounds.rounds);
-  result.best_round = rounds.best;
-  if (!rounds.surface) {
+  result.rounds = std::move(run.rounds);
+  result.best_round = run.best;
+  if (!run.surface) {
     result.status = CorrectionStatus::singular;
     result.uv = first_;
     return result;
   }
-  result.status = rounds.stopped                            ? CorrectionStatus::stopped
-                  : rounds.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
-                                                            : CorrectionStatus::corrected;
-  result.surface = frame_.outside(*rounds.surface);
+  result.status = run.stopped                            ? CorrectionStatus::stopped
+                  : run.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
+                                                         : CorrectionStatus::corrected;
+  result.surface = frame_.outside(*run.surface);
   // The first, and another with fewer triangles turned over that folds no more or not over.
   const auto take = [&](std::vector<double> uv) {
     FoldReport folds = measure_folds(result.surface, mesh_, uv);
@@ -177,15 +177,15 @@ CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, cons
     result.uv = std::move(uv);
     result.folds = std::move(folds);
   };
-  if (from_first_fit && rounds.best == 0) {
+  if (from_first_fit && run.best == 0) {
     take(first_);
   } else {
     // From the rounds' own parameters, where hardly a triangle is turned over; from the map where some are.
     const std::vector<Vec3> position = frame_.inside(mesh_);
     const auto ended_at = [&](std::vector<double> from) {
-      return final_parameters(mesh_.faces, position, sliding_, std::move(from), rounds.uv, *rounds.surface);
+      return final_parameters(mesh_.faces, position, sliding_, std::move(from), run.uv, *run.surface);
     };
-    std::vector<double> near = rounds.uv;
+    std::vector<double> near = run.uv;
     untangle(mesh_.faces, untangling_, first_, near);
     take(ended_at(std::move(near)));
     if (result.folds.flipped > 0) take(ended_at(first_));
