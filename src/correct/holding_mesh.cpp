@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "data/orientation.h"
 namespace knotfit::correction {
 namespace {
 
@@ -162,10 +164,8 @@ void weigh_added(const HoldingMesh& mesh, double share, PointWeights& points) {
   std::vector<double> area(mesh.position.size(), 0.0);
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     if (mesh.virtual_face[f]) continue;
-    const auto& t = mesh.face[f];
-    const double *a = &mesh.uv[2 * t[0]], *b = &mesh.uv[2 * t[1]], *c = &mesh.uv[2 * t[2]];
-    const double part = std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 6;
-    for (const std::int32_t k : t) area[k] += part;
+    const double part = std::abs(twice_area(mesh.uv, mesh.face[f])) / 6;
+    for (const std::int32_t k : mesh.face[f]) area[k] += part;
   }
   for (std::size_t i = 0; i < points.vertex.size(); ++i)
     if (!points.data[i]) points.weight[i] = share * std::max(area[points.vertex[i]], points.area[i]);

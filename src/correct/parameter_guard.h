@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "data/vertex_stars.h"
 #include "nearest/foot_points.h"
 namespace knotfit::correction {
 
@@ -23,10 +24,9 @@ class ParameterGuard {
   void relax(std::span<double> to, std::span<const Slide> slide, int passes) const;
 
  private:
-  double area(std::span<const double> uv, std::int32_t face) const;
   Faces faces_;
-  std::vector<std::int32_t> star_start_, star_;  ///< faces at each vertex
-  std::vector<unsigned char> back_;              ///< times each vertex went back
+  VertexStars stars_;
+  std::vector<unsigned char> back_;  ///< times each vertex went back
 };
 
 }  // namespace knotfit::correction

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/stage.h"
+#include "data/mesh_data.h"
 #include "knotfit/closest_point.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
@@ -114,9 +115,7 @@ DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::sp
   if (mesh.faces.empty()) throw InvalidInput("the mesh has no faces to measure distances to");
   if (samples < 1)
     throw InvalidInput(fmt::format("{} samples: there must be at least 1 a direction", samples));
-  if (!uv.empty() && static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  if (!uv.empty()) require_parameters(mesh, uv);
   const SpanTable tu(surface.knots_u()), tv(surface.knots_v());
   const auto per = [&](const SpanTable& t) {
     return std::max(4, static_cast<int>(std::lround(samples / static_cast<double>(t.spans()))));
@@ -126,14 +125,10 @@ DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::sp
   // Triangles that close holes are no data: neither to be near to, nor to be over.
   std::vector<std::array<std::int32_t, 3>> faces;
   for (Index f = 0; f < mesh.face_count(); ++f)
-    if (mesh.virtual_face.empty() || !mesh.virtual_face[f]) faces.push_back(mesh.faces[f]);
+    if (is_data(mesh, f)) faces.push_back(mesh.faces[f]);
   if (faces.empty()) throw InvalidInput("every face of the mesh only closes a hole: there is no data");
   std::vector<std::int32_t> over;
-  if (!uv.empty()) {
-    std::vector<Vec3> vertices;
-    for (Index k = 0; k < mesh.vertex_count(); ++k) vertices.push_back(at(mesh.vertex(k)));
-    over = sample_map({vertices, faces, {}, uv}, u, v).face;
-  }
+  if (!uv.empty()) over = sample_map({vertex_places(mesh), faces, {}, uv}, u, v).face;
   const TriangleTree tree(mesh.vertices, faces);
   std::vector<double> distances(static_cast<std::size_t>(nu * nv), -1.0);
   std::vector<double> places(static_cast<std::size_t>(3 * nu * nv));

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "data/mesh_data.h"
 #include "data/orientation.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
@@ -21,9 +22,7 @@ void check(const Surface& surface, const Mesh& mesh, std::span<const double> uv)
   if (surface.dimension() != 3)
     throw InvalidInput(fmt::format("folds are of surfaces in space; this one has {} coordinate{}",
                                    surface.dimension(), surface.dimension() == 1 ? "" : "s"));
-  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  require_parameters(mesh, uv);
   for (std::size_t k = 0; k < uv.size(); ++k)
     if (!std::isfinite(uv[k]))
       throw InvalidInput(fmt::format("the parameters of vertex {} are not finite", k / 2));
@@ -95,8 +94,7 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
   check(surface, mesh, uv);
   FoldReport report;
   report.flipped = count_flipped(mesh.faces, uv);
-  std::vector<Vec3> vertices;
-  for (Index k = 0; k < mesh.vertex_count(); ++k) vertices.push_back(at(mesh.vertex(k)));
+  const std::vector<Vec3> vertices = vertex_places(mesh);
   const MapView map{vertices, mesh.faces, mesh.virtual_face, uv};
   const CellPolynomials cells(surface);
   const MapSamples grid =
