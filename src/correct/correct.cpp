@@ -25,7 +25,7 @@ CorrectionResult correct_parameters(const Mesh& mesh, const std::vector<double>&
   const correction::PreparedMesh prepared(mesh, uv, given);
   CorrectionOptions options = prepared.options();
   if (options.start) options.start = prepared.frame().inside(*options.start);
-  options.keep_by.value /= prepared.frame().diagonal;
+  options.keep_by.value /= prepared.frame().scale();
   const Stage stage(control, "correction");
   return prepared.finish(prepared.run(uv, knots_u, knots_v, options, stage), !options.start, control);
 }

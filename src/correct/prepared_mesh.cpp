@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "correct/final_parameters.h"
+#include "data/mesh_data.h"
 #include "knotfit/exceptions.h"
 namespace knotfit::correction {
 namespace {
@@ -17,9 +18,7 @@ void check_range(double x, double low, double high, const char* name) {
 }
 
 void check(const Mesh& mesh, const std::vector<double>& uv, const CorrectionOptions& options) {
-  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  require_parameters(mesh, uv);
   for (std::size_t k = 0; k < uv.size(); ++k)
     if (!(uv[k] >= 0 && uv[k] <= 1))
       throw InvalidInput(fmt::format("{} of vertex {} is {}: parameters lie in [0,1]", k % 2 == 0 ? "u" : "v",
@@ -48,25 +47,14 @@ void check(const Mesh& mesh, const std::vector<double>& uv, const CorrectionOpti
                                    mesh.vertex_count()));
 }
 
-Surface mapped(const Surface& s, const CorrectionFrame& frame, bool out) {
-  std::vector<double> net = s.net();
-  const double c[3] = {frame.centre.x, frame.centre.y, frame.centre.z};
-  for (std::size_t i = 0; i < net.size(); ++i)
-    net[i] = out ? net[i] * frame.diagonal + c[i % 3] : (net[i] - c[i % 3]) / frame.diagonal;
-  return Surface(s.knots_u(), s.knots_v(), 3, std::move(net));
-}
-
 /// Distances of the data vertices, each found from its own parameters.
 void measure(CorrectionResult& result, const Mesh& mesh, Index data, const Control& control) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<char> used(static_cast<std::size_t>(mesh.vertex_count()), 0);
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (mesh.virtual_face.empty() || !mesh.virtual_face[f])
-      for (const std::int32_t k : mesh.faces[f]) used[k] = k < data;
+  const std::vector<char> used = data_vertices(mesh);
   std::vector<double> points, start;
   std::vector<Index> vertex;
   for (Index k = 0; k < mesh.vertex_count(); ++k) {
-    if (!used[k]) continue;
+    if (!used[k] || k >= data) continue;
     vertex.push_back(k);
     points.insert(points.end(), mesh.vertex(k), mesh.vertex(k) + 3);
     start.insert(start.end(), &result.uv[2 * k], &result.uv[2 * k] + 2);
@@ -85,35 +73,6 @@ void measure(CorrectionResult& result, const Mesh& mesh, Index data, const Contr
 }
 
 }  // namespace
-
-CorrectionFrame::CorrectionFrame(const Mesh& mesh) {
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  for (const auto& f : mesh.faces)
-    for (const std::int32_t k : f) {
-      const double* p = mesh.vertex(k);
-      low = {std::min(low.x, p[0]), std::min(low.y, p[1]), std::min(low.z, p[2])};
-      high = {std::max(high.x, p[0]), std::max(high.y, p[1]), std::max(high.z, p[2])};
-    }
-  centre = 0.5 * low + 0.5 * high;
-  diagonal = length(high - low);
-  if (!(diagonal > 0) || !std::isfinite(diagonal))
-    throw InvalidInput(
-        "all vertices of the mesh are at one place, or too far apart: there is no surface to fit");
-}
-
-std::vector<Vec3> CorrectionFrame::inside(const Mesh& mesh) const {
-  std::vector<Vec3> p;
-  for (Index k = 0; k < mesh.vertex_count(); ++k) p.push_back((1 / diagonal) * (at(mesh.vertex(k)) - centre));
-  return p;
-}
-
-Surface CorrectionFrame::inside(const Surface& s) const {
-  return mapped(s, *this, false);
-}
-
-Surface CorrectionFrame::outside(const Surface& s) const {
-  return mapped(s, *this, true);
-}
 
 PreparedMesh::PreparedMesh(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options)
     : mesh_(mesh),
@@ -151,7 +110,7 @@ std::optional<KnotJacobian> PreparedMesh::knots(std::vector<double> uv, const Su
 double PreparedMesh::error(const CorrectionResult& result, const Tolerance& tolerance) const {
   std::vector<double> distances;
   for (const double d : result.signed_distances)
-    if (!std::isnan(d)) distances.push_back(std::abs(d) / frame_.diagonal);
+    if (!std::isnan(d)) distances.push_back(std::abs(d) / frame_.scale());
   return distances.empty() ? INFINITY : measured_error(distances, tolerance);
 }
 
@@ -191,10 +150,8 @@ CorrectionResult PreparedMesh::finish(CorrectionRun run, bool from_first_fit, co
     if (result.folds.flipped > 0) take(ended_at(first_));
   }
   measure(result, mesh_, data_, control);
-  std::vector<Vec3> position;
-  for (Index k = 0; k < mesh_.vertex_count(); ++k) position.push_back(at(mesh_.vertex(k)));
   std::vector<double> nearer = result.uv;
-  if (approach_feet(mesh_.faces, position, sliding_, result.foot_points, result.signed_distances,
+  if (approach_feet(mesh_.faces, vertex_places(mesh_), sliding_, result.foot_points, result.signed_distances,
                     result.surface, nearer) > 0) {
     FoldReport folds = measure_folds(result.surface, mesh_, nearer);
     if (folds.flipped <= result.folds.flipped && (!folds_over(folds) || folds_over(result.folds))) {

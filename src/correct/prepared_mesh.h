@@ -4,19 +4,9 @@
 
 #include "correct/correction_run.h"
 #include "correct/holding_mesh.h"
+#include "fit/frame.h"
 #include "knotfit/correct.h"
 namespace knotfit::correction {
-
-/// x -> (x - centre) / diagonal.
-struct CorrectionFrame {
-  Vec3 centre;
-  double diagonal = 1;
-  /// \throws InvalidInput  a mesh without extent
-  explicit CorrectionFrame(const Mesh& mesh);
-  std::vector<Vec3> inside(const Mesh& mesh) const;
-  Surface inside(const Surface& s) const;
-  Surface outside(const Surface& s) const;
-};
 
 class PreparedMesh {
  public:
@@ -24,7 +14,7 @@ class PreparedMesh {
   /// \throws InvalidInput  see correct_parameters(); knots are not looked at
   PreparedMesh(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options);
 
-  const CorrectionFrame& frame() const { return frame_; }
+  const Frame& frame() const { return frame_; }
   const CorrectionOptions& options() const { return options_; }  ///< the aspect is known
   const std::vector<double>& first() const { return first_; }
 
@@ -47,7 +37,7 @@ class PreparedMesh {
   const Mesh& mesh_;
   std::vector<double> first_;
   CorrectionOptions options_;
-  CorrectionFrame frame_;
+  Frame frame_;
   HoldingMesh holding_;
   Index data_;
   std::vector<Slide> sliding_;     ///< of foot points: the middles of holes have none and stay

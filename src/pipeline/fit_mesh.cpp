@@ -136,7 +136,7 @@ void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions
   const Mesh halved = halve_edges(mesh, map.halved_edges);
   const correction::PreparedMesh prepared(halved, map.all_uv(), how);
   Request request = make_request(options.tolerance, has_size_or_knots(options), fit.points,
-                                 Frame(fit.points).rounding(), prepared.frame().diagonal);
+                                 Frame(fit.points).rounding(), prepared.frame().scale());
   r.diagonal = request.diagonal;
   r.asked = request.asked;
   r.tolerance = request.asked.value;

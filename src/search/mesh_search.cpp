@@ -76,7 +76,7 @@ std::string name_of(MeshKnots knots) {
 MeshSearch search_mesh_sizes(const correction::PreparedMesh& prepared, const SearchOptions& options,
                              const Tolerance& tolerance, const Control& control) {
   SearchRun run(control, tolerance, options.max_fits > 0 ? options.max_fits : kMostRounds,
-                prepared.frame().diagonal);
+                prepared.frame().scale());
   MeshSizes sizes(prepared, options, run, control);
   const Index most = options.max_control_points > 0 ? options.max_control_points
                                                     : std::min(prepared.data() / 2, kMostControlPoints);
