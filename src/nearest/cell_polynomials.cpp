@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/clones.h"
+#include "base/counting_sort.h"
 #include "base/narrow.h"
 #include "base/parallel.h"
 #include "knotfit/basis.h"
@@ -194,14 +195,9 @@ void CellPolynomials::jets(std::span<const double> uv, Jet* out) const {
 std::vector<std::int32_t> order_by_cell(const CellPolynomials& surface, std::span<const double> uv) {
   const Index n = static_cast<Index>(uv.size() / 2);
   narrow(n);
-  std::vector<std::int32_t> cell(static_cast<std::size_t>(n)), order(static_cast<std::size_t>(n)),
-      place(static_cast<std::size_t>(surface.cells()) + 1, 0);
-  for (Index k = 0; k < n; ++k) {
-    cell[k] = static_cast<std::int32_t>(surface.cell(uv[2 * k], uv[2 * k + 1]));
-    ++place[cell[k] + 1];
-  }
-  for (std::size_t c = 1; c < place.size(); ++c) place[c] += place[c - 1];
-  for (Index k = 0; k < n; ++k) order[place[cell[k]]++] = static_cast<std::int32_t>(k);
+  std::vector<std::int32_t> cell(static_cast<std::size_t>(n)), order;
+  for (Index k = 0; k < n; ++k) cell[k] = static_cast<std::int32_t>(surface.cell(uv[2 * k], uv[2 * k + 1]));
+  counting_sort(cell, surface.cells(), order);
   return order;
 }
 
