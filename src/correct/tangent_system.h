@@ -81,18 +81,26 @@ class TangentSystem {
                                             std::span<const char> counts) const;
 
  private:
-  /// matrix + lambda J + the scalar matrix in each block, factored. \return nothing where it is not positive definite
-  std::optional<BandMatrix> factored(const BandMatrix& matrix, const BandMatrix& scalar, int block,
-                                     double lambda) const;
+  /// What is minimised, but for the smoothing.
+  struct Sum {
+    int block;                ///< 3, or 1 where the three coordinates do not meet
+    BandMatrix matrix;        ///< of blocks
+    BandMatrix scalar;        ///< the same for each coordinate
+    std::vector<double> rhs;  ///< block 1: coordinate after coordinate; 3: three to a control point
+    double trace;             ///< tr(A^T W A)
+  };
+  Sum summed(const SystemPoints& points, const Holding& holding) const;
+  /// With the smoothing. \return nothing where the matrix is not positive definite
+  std::optional<BandMatrix> factored(const Sum& sum, double smoothing) const;
+  auto numbers() const {
+    return [this](Index i, Index j) { return index(i, j); };
+  }
+  /// The number of a function in the system.
   Index index(Index i, Index j) const { return swapped_ ? j * u_.functions() + i : i * v_.functions() + j; }
-  /// \return tr(A^T W A)
-  double add_points(const SystemPoints& points, int block, BandMatrix& matrix,
-                    std::vector<double>& rhs) const;
-  void add_gradient(std::span<const GradientDatum> data, int block, BandMatrix& scalar,
-                    std::vector<double>& rhs) const;
-  void add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix, std::vector<double>& rhs) const;
-  void add_curvature(std::span<const CurvatureDatum> data, BandMatrix& matrix,
-                     std::vector<double>& rhs) const;
+  void add_points(const SystemPoints& points, Sum& sum) const;
+  void add_gradient(std::span<const GradientDatum> data, Sum& sum) const;
+  void add_hinge(std::span<const HingeRow> rows, Sum& sum) const;
+  void add_curvature(std::span<const CurvatureDatum> data, Sum& sum) const;
 
   KnotVector knots_u_, knots_v_;
   Axis u_, v_;
