@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "base/stage.h"
 #include "data/mesh_data.h"
 #include "knotfit/closest_point.h"
@@ -25,13 +26,7 @@ struct Sums {
   }
 };
 
-double quantile(const std::vector<double>& sorted, double share) {
-  const auto n = static_cast<double>(sorted.size());
-  const double rank = std::ceil(share * n - 1e-9 * n);
-  return sorted[static_cast<std::size_t>(std::clamp(rank - 1, 0.0, n - 1))];
-}
-
-/// All but where the worst one is.
+/// Leaves out the place of the worst.
 DistanceSummary summarize(const std::vector<double>& distances) {
   DistanceSummary s;
   s.count = static_cast<Index>(distances.size());
@@ -60,10 +55,11 @@ DistanceSummary summarize(const std::vector<double>& distances) {
   }
   std::sort(sorted.begin(), sorted.end());
   s.max = sorted.back();
-  s.median = quantile(sorted, 0.5);
-  s.p95 = quantile(sorted, 0.95);
-  s.p99 = quantile(sorted, 0.99);
-  s.p995 = quantile(sorted, 0.995);
+  const auto quantile = [&](double share) { return sorted[quantile_position(sorted.size(), share)]; };
+  s.median = quantile(0.5);
+  s.p95 = quantile(0.95);
+  s.p99 = quantile(0.99);
+  s.p995 = quantile(0.995);
   return s;
 }
 
@@ -122,7 +118,7 @@ DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::sp
   };
   const std::vector<double> u = centred_places(tu, per(tu)), v = centred_places(tv, per(tv));
   const Index nu = static_cast<Index>(u.size()), nv = static_cast<Index>(v.size());
-  // Triangles that close holes are no data: neither to be near to, nor to be over.
+  // Triangles that close holes are no data: no distance is to them, and none is measured over them.
   std::vector<std::array<std::int32_t, 3>> faces;
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (is_data(mesh, f)) faces.push_back(mesh.faces[f]);

@@ -47,7 +47,7 @@ Step step_of(const Domain& domain, const Jet& j, const Vec3& r, Slide slide, con
   const bool low_v = p[1] <= domain.v0, high_v = p[1] >= domain.v1;
   const bool out_u = (low_u && gu > 0) || (high_u && gu < 0), out_v = (low_v && gv > 0) || (high_v && gv < 0);
   const auto along_one = [&](bool u) { return u ? along(true, gu, a) : along(false, gv, c); };
-  if (slide == Slide::round) {  // at a corner: along the side that leads down, the steeper of two
+  if (slide == Slide::round) {  // at a corner: the side that leads down, the steeper of two
     const bool side_u = low_v || high_v, side_v = low_u || high_u;
     const bool by_u = side_u && !out_u, by_v = side_v && !out_v;
     if (!by_u && !by_v) return {};
@@ -60,16 +60,16 @@ Step step_of(const Domain& domain, const Jet& j, const Vec3& r, Slide slide, con
   if (stay_v) return along(true, gu, hu > 0 ? hu : a);
   const double b = dot(j.u, j.v);
   if (second) {
-    constexpr double least = 1e-12;  // of the determinant by the diagonal's product: a saddle from here on
+    constexpr double least = 1e-12;  // of hu hv: a smaller determinant is taken for that of a saddle
     const double huv = b + dot(r, second->uv), determinant = hu * hv - huv * huv;
     if (hu > 0 && hv > 0 && determinant > least * hu * hv)
       return {-(hv * gu - huv * gv) / determinant, -(hu * gv - huv * gu) / determinant};
   }
-  // One of them hardly there: the other alone.
+  // One derivative nearly vanishes: the step goes along the other alone.
   const double along_u = a * domain.width_u() * domain.width_u(),
                along_v = c * domain.width_v() * domain.width_v();
   if (std::min(along_u, along_v) <= 1e-20 * std::max(along_u, along_v)) return along_one(along_u >= along_v);
-  // The diagonal 1e-6 larger: S_u and S_v may be parallel.
+  // S_u and S_v may be parallel: a diagonal 1e-6 larger keeps the matrix regular.
   constexpr double more = 1 + 1e-6;
   const double determinant = a * c * more * more - b * b;
   return {-(c * more * gu - b * gv) / determinant, -(a * more * gv - b * gu) / determinant};
@@ -131,7 +131,7 @@ struct PointBlock {
         }
         pendings = left;
       }
-      // Points that took a shorter step came later.
+      // Points that took a shorter step were added later.
       std::sort(active.begin(), active.begin() + actives);
     }
   }
