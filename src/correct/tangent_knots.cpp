@@ -71,7 +71,7 @@ std::optional<KnotJacobian> TangentSystem::knot_jacobian(const SystemPoints& poi
         if (counts[k]) pull[row] += f * r.x, pull[row + 1] += f * r.y, pull[row + 2] += f * r.z;
       }
   }
-  // The control points minimise more than the data's sum, so that their share of its slope does not vanish.
+  // The control points minimise more than the data's sum: its slope in them does not vanish, and counts.
   factor->solve(pull.data(), 1);
   for (Index k = 0; k < count; ++k)
     for (Index row = 0; row < 3 * size; ++row) result.gradient[k] -= projected(row, k) * pull[row];

@@ -8,8 +8,10 @@
 #include "base/counting_sort.h"
 #include "correct/block_moments.h"
 #include "knotfit/basis.h"
+#include "solve/gram_entries.h"
 #include "solve/smoothing_floor.h"
 #include "solve/spans_in_turn.h"
+#include "solve/thin_plate.h"
 namespace knotfit::correction {
 namespace {
 
@@ -97,24 +99,12 @@ TangentSystem::TangentSystem(const KnotVector& u, const KnotVector& v, double as
   const Axis &outer = swapped_ ? v_ : u_, &inner = swapped_ ? u_ : v_;
   const Index ni = inner.functions();
   energy_.reset(outer.functions() * ni, outer.degree() * ni + inner.degree());
-  // x = aspect u, y = v up to a common factor; degree 1 has no second derivative: the membrane energy.
-  const bool membrane = std::min(outer.degree(), inner.degree()) == 1;
-  const double so = swapped_ ? 1 : 1 / (aspect * aspect), si = swapped_ ? 1 / (aspect * aspect) : 1;
-  const auto o0 = outer.gram(0), o1 = outer.gram(1), o2 = outer.gram(2);
-  const auto i0 = inner.gram(0), i1 = inner.gram(1), i2 = inner.gram(2);
-  const int wo = outer.width(), wi = inner.width();
-  for (Index i = 0; i < outer.functions(); ++i)
-    for (Index a = 0; a < wo && a <= i; ++a)
-      for (Index j = 0; j < ni; ++j)
-        for (Index b = 1 - wi; b < wi; ++b) {
-          const Index row = i * ni + j, column = (i - a) * ni + j - b;
-          if (j - b < 0 || j - b >= ni || column > row) continue;
-          const Index x = i * wo + a, y = std::max(j, j - b) * wi + std::abs(b);
-          energy_.add(row, column,
-                      membrane
-                          ? so * o1[x] * i0[y] + si * o0[x] * i1[y]
-                          : so * so * o2[x] * i0[y] + 2 * so * si * o1[x] * i1[y] + si * si * o0[x] * i2[y]);
-        }
+  // x = aspect u, y = v up to a common factor.
+  const double p = 1 / (aspect * aspect);
+  each_energy_entry(
+      EnergyGrams(outer), EnergyGrams(inner),
+      [&](Index row, Index column, double entry) { energy_.add(row, column, entry); }, swapped_ ? 1 : p,
+      swapped_ ? p : 1);
 }
 
 void TangentSystem::add_points(const SystemPoints& points, Sum& sum) const {
@@ -160,7 +150,7 @@ void TangentSystem::add_points(const SystemPoints& points, Sum& sum) const {
         half.noalias() = po * m;
         gram[part].noalias() = half * pi.transpose();
       }
-      const auto add = [&](Index x, Index y, int row, int column) {  // x >= y
+      each_gram_entry({s, r, wo, wi, ni}, [&](Index x, Index y, int row, int column) {
         if (block == 1) {
           matrix.add(x, y, gram[0](row, column));
           return;
@@ -173,18 +163,7 @@ void TangentSystem::add_points(const SystemPoints& points, Sum& sum) const {
         if (d > 0) c1[d - 1] += g[1], c2[d - 2] += g[2], c2[d - 1] += g[4];
         c1[d] += g[3], c1[d + 1] += g[4];
         c2[d] += g[5];
-      };
-      int row = 0;
-      for (int i = 0; i < wo; ++i)
-        for (int i2 = 0; i2 <= i; ++i2, ++row) {
-          int column = 0;
-          const Index x = (s + i) * ni + r, y = (s + i2) * ni + r;
-          for (int j = 0; j < wi; ++j)
-            for (int j2 = 0; j2 <= j; ++j2, ++column) {
-              add(x + j, y + j2, row, column);
-              if (i != i2 && j != j2) add(x + j2, y + j, row, column);
-            }
-        }
+      });
       for (int i = 0; i < wo; ++i)
         for (int j = 0; j < wi; ++j)
           for (int d = 0; d < 3; ++d) {
