@@ -38,10 +38,7 @@ CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const 
   if (options.data_vertices < 0) options.data_vertices = mesh.vertex_count();
   CorrectionResult result = correct_parameters(halve_edges(mesh, map.halved_edges), map.all_uv(), knots_u,
                                                knots_v, options, control);
-  for (std::vector<double>* x : {&result.uv, &result.foot_points})
-    if (!x->empty()) x->resize(static_cast<std::size_t>(2 * mesh.vertex_count()));
-  if (!result.signed_distances.empty())
-    result.signed_distances.resize(static_cast<std::size_t>(mesh.vertex_count()));
+  correction::keep_first(mesh.vertex_count(), result);
   return result;
 }
 

@@ -13,7 +13,14 @@ namespace {
 
 using Faces = std::span<const std::array<std::int32_t, 3>>;
 
-/// Neighbours weigh by the triangles they share with the vertex.
+/// Part of the way from `here` to `there`, where the vertex may slide.
+void go(Slide slide, const double* here, const double* there, double way, double* uv) {
+  for (int d = 0; d < 2; ++d)
+    if (slide != (d == 0 ? Slide::along_v : Slide::along_u))
+      uv[d] = std::clamp(here[d] + way * (there[d] - here[d]), 0.0, 1.0);
+}
+
+/// A neighbour counts as often as it shares a triangle with the vertex.
 std::array<double, 2> mean_of_neighbours(Faces faces, const VertexStars& stars, std::span<const double> uv,
                                          std::int32_t k) {
   std::array<double, 2> mean{};
@@ -27,7 +34,7 @@ std::array<double, 2> mean_of_neighbours(Faces faces, const VertexStars& stars, 
   return {mean[0] / count, mean[1] / count};
 }
 
-/// What lies right in `first` and not in `uv`.
+/// Whether a triangle lies right in `first` and not in `uv`.
 bool turned(const std::array<std::int32_t, 3>& t, const std::vector<double>& first,
             const std::vector<double>& uv) {
   constexpr double least = 1e-14;
@@ -95,7 +102,8 @@ constexpr int most_sweeps(int rings) {
   return 20 + 10 * rings;
 }
 
-/// Successive over-relaxation towards every vertex the mean that its weights say. \return false where it runs away
+/// Moves the vertices to the means that their weights ask for, by successive over-relaxation. \return false where that
+/// diverges
 bool relax(const Patch& patch, std::span<const Slide> slide, int rings, std::vector<double>& uv) {
   constexpr double settled = 1e-9, lost = 10, most_relaxation = 1.8;
   const double relaxation = std::min(most_relaxation, 2 / (1 + std::sin(std::numbers::pi / (2 * rings + 2))));
@@ -121,8 +129,8 @@ bool relax(const Patch& patch, std::span<const Slide> slide, int rings, std::vec
   return true;
 }
 
-/// Lays a patch around each turned triangle anew, as the map had it but for what its outline asks. Small patches first;
-/// one is taken where it leaves fewer turned.
+/// Lays a patch around each turned triangle anew: as it is in `first`, but for its outline. Tries small patches first, and
+/// takes one that leaves fewer triangles turned.
 bool lay_anew(Faces faces, const VertexStars& stars, std::span<const Slide> slide,
               const std::vector<double>& first, std::vector<double>& uv) {
   constexpr int most_rings = 64;
@@ -167,7 +175,7 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
   constexpr int most_passes = 200;
   constexpr double ways[] = {1, 0.5, 0.25, 1.5};
   const VertexStars stars(faces, static_cast<Index>(slide.size()));
-  // The smallest area of a vertex's triangles, those of the map as units.
+  // The smallest area of a vertex's triangles, by their areas in `first`.
   auto smallest = [&](std::int32_t k) {
     double result = INFINITY;
     for (const std::int32_t i : stars.of(k))
@@ -180,7 +188,7 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
     for (const auto& t : faces)
       if (turned(t, first, uv)) {
         vertices.insert(vertices.end(), t.begin(), t.end());
-        // One that cannot be turned back by its own vertices pulls at those around them.
+        // A triangle that its own vertices do not turn back pulls at those around them.
         if (pass % 4 == 3)
           for (const std::int32_t k : t)
             for (const std::int32_t i : stars.of(k))
@@ -196,9 +204,7 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
       const double here[2] = {uv[2 * k], uv[2 * k + 1]};
       double best[2] = {here[0], here[1]}, most = smallest(k);
       for (const double way : ways) {
-        if (slide[k] != Slide::along_v) uv[2 * k] = std::clamp(here[0] + way * (mean[0] - here[0]), 0.0, 1.0);
-        if (slide[k] != Slide::along_u)
-          uv[2 * k + 1] = std::clamp(here[1] + way * (mean[1] - here[1]), 0.0, 1.0);
+        go(slide[k], here, mean.data(), way, &uv[2 * k]);
         if (const double size = smallest(k); size > most) {
           most = size;
           best[0] = uv[2 * k], best[1] = uv[2 * k + 1];
@@ -215,7 +221,8 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
 std::vector<double> final_parameters(Faces faces, const std::vector<Vec3>& position,
                                      std::span<const Slide> slide, std::vector<double> from,
                                      std::vector<double> corrected, const Surface& surface) {
-  constexpr int rounds = 16;  // face: folded 0.63 % after 4, 0.36 % after 8, 0.28 % after 16, 0.30 % after 32
+  constexpr int rounds =
+      16;  // measured on the face: folded 0.63 % after 4, 0.36 after 8, 0.28 after 16, 0.30 after 32
   ParameterGuard guard(faces, static_cast<Index>(position.size()));
   const CellPolynomials cells(surface);
   const FootPointOptions steps{3, cells.u().mean_length(), cells.v().mean_length()};
@@ -261,10 +268,9 @@ Index approach_feet(Faces faces, const std::vector<Vec3>& position, std::span<co
       const double here[2] = {uv[2 * k], uv[2 * k + 1]}, before = error(static_cast<std::size_t>(k));
       bool there = false;
       for (const double way : ways) {
-        if (slide[k] != Slide::along_v) uv[2 * k] = here[0] + way * (feet[2 * k] - here[0]);
-        if (slide[k] != Slide::along_u) uv[2 * k + 1] = here[1] + way * (feet[2 * k + 1] - here[1]);
+        go(slide[k], here, &feet[2 * k], way, &uv[2 * k]);
         const auto star = stars.of(k);
-        // A triangle that is turned over already counts for nothing.
+        // A triangle that is turned over already sets no limit.
         const bool sound = std::all_of(star.begin(), star.end(), [&](std::int32_t f) {
           return !(least[f] > 0) || twice_area(uv, faces[f]) >= least[f];
         });

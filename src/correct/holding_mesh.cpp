@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/mesh_topology.h"
 #include "data/orientation.h"
 namespace knotfit::correction {
 namespace {
@@ -30,21 +31,12 @@ HoldingMesh holding_mesh(const Mesh& mesh, std::vector<Vec3> position, std::vect
   if (m.virtual_face.empty()) m.virtual_face.assign(m.face.size(), 0);
   m.uv = std::move(uv);
   m.own = own;
-  // Edges that one face has.
-  struct Half {
-    Edge edge;
-    std::int32_t a, b;
-  };
-  std::vector<Half> halves;
-  for (const auto& t : m.face)
-    for (int k = 0; k < 3; ++k) halves.push_back({edge_of(t[k], t[(k + 1) % 3]), t[k], t[(k + 1) % 3]});
-  std::sort(halves.begin(), halves.end(), [](const Half& x, const Half& y) { return x.edge < y.edge; });
-  for (std::size_t k = 0; k < halves.size();) {
-    std::size_t end = k + 1;
-    while (end < halves.size() && halves[end].edge == halves[k].edge) ++end;
-    if (end - k == 1) m.border.push_back({halves[k].a, halves[k].b});
-    k = end;
-  }
+  const MeshTopology topology(mesh);
+  for (const MeshEdge& edge : topology.edges)
+    if (edge.count == 1) {
+      const std::int32_t half_edge = topology.half_edges[edge.first];
+      m.border.push_back({topology.from(half_edge), topology.to(half_edge)});
+    }
   return m;
 }
 

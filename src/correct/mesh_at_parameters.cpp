@@ -22,7 +22,8 @@ struct Errors {
   }
 };
 
-/// The points' own error metric [Wang06]: M = tau I + (1 - tau) n n^T inside, the side's direction spared on it.
+/// The metric of a point's error [Wang06]: M = tau I + (1 - tau) n n^T inside the square. On a side, the distance along it
+/// counts by tau.
 Sym3 matrix(const Jet& j, double tangential, Slide slide, const double* uv) {
   const auto spare = [&](const Vec3& t) {
     const double l = squared(t);

@@ -1,4 +1,4 @@
-// The mesh of a correction at its present parameters, with all that follows from them: what a round is made of.
+// The mesh of a correction at its present parameters, with what follows from them: the steps of a round.
 #pragma once
 #include <cmath>
 #include <optional>
@@ -31,7 +31,7 @@ struct Judgement {
   std::vector<double> squared;        ///< distances, by point
 };
 
-/// Its points are the vertices that a face of the data has: those of the mesh itself, and those added in long edges.
+/// Its points are the vertices of faces that are data: the mesh's own, and those added in long edges.
 class MeshAtParameters {
  public:
   /// Halves the long edges of the mesh. \param mesh, knots, options  outlive this; the mesh's parameters are moved
@@ -45,11 +45,11 @@ class MeshAtParameters {
   Index move(const CellPolynomials& surface);
   void set_parameters(std::vector<double> uv);
 
-  /// Of the points: 1 / n for the data, less for added vertices.
+  /// By point: 1 / n for the data, by its area for an added vertex.
   const std::vector<double>& weights() const { return points_.weight; }
-  /// The data's raised to 1 + kappa min(d / RMS, 8)^2, their sum kept.
+  /// The same with the data's times 1 + kappa min(d / RMS, 8)^2, their sum kept.
   std::vector<double> weights(double kappa, const std::vector<double>& squared) const;
-  /// The data's times `factor`, by point, their sum kept.
+  /// The same with the data's times `factor`, by point, their sum kept.
   std::vector<double> weights(const std::vector<double>& factor) const;
 
   /// \param tangential  share of the distance in the tangent plane that is charged
@@ -84,7 +84,7 @@ class MeshAtParameters {
   std::vector<double> free_;  ///< foot points that no guard holds: distances are measured from them
   FootPointOptions steps_;
   Reference reference_;
-  double resolved_;  ///< share of a surface's curvature, over these knots, that the mesh shows
+  double resolved_;  ///< how much of a surface's curvature, over these knots, the mesh shows: 0 to 1
 };
 
 /// from + share (to - from), over the same knots.

@@ -11,11 +11,11 @@ constexpr double kTangential = 1e-2;  // share of the distance in the tangent pl
 constexpr double kPowers[] = {4, 6, 9, 13, 20, 30, 45};
 constexpr int kRoundsAPower = 3;
 constexpr double kLittle = 0.97;    // of Phi before: a smaller fall leads to the next power
-constexpr double kLonger = 0.36;    // the last round's share over this is the first one tried
+constexpr double kLonger = 0.36;    // the first share tried is the last round's over this
 constexpr int kTrials = 5;          // each half the one before it
-constexpr double kMoreFolds = 1.2;  // times the folded share before: a step may lead so far
+constexpr double kMoreFolds = 1.2;  // times the folded share before: a step may lead there
 
-/// q by point; 0 where it is no data.
+/// q by point; 0 where the point is no data.
 std::vector<double> shares(const MeshAtParameters& mesh, const Judgement& judgement, double scale,
                            bool capped) {
   std::vector<double> q(judgement.squared.size(), 0.0);

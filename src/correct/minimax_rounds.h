@@ -6,8 +6,8 @@
 #include "correct/mesh_at_parameters.h"
 namespace knotfit::correction {
 
-/// Reweighted tangent steps on Phi = sum q^P / P + eps q^2 / 2, q the distance over the error that counts (with a
-/// percentile: at most 1), shortened until Phi falls.
+/// Lowers Phi = sum q^P / P + eps q^2 / 2 by tangent steps with weights; q is the distance over the error that counts (with a
+/// percentile at most 1). A step is halved until Phi falls.
 /// \param visit  each round's record, judgement and surface; the rounds end where it returns false
 /// \return false where the stage ended them
 bool minimax_rounds(

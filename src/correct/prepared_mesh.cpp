@@ -61,7 +61,7 @@ void measure(CorrectionResult& result, const Mesh& mesh, Index data, const Contr
   }
   result.signed_distances.assign(static_cast<std::size_t>(mesh.vertex_count()), none);
   result.foot_points.assign(static_cast<std::size_t>(2 * mesh.vertex_count()), none);
-  Control quiet;  // what is left to do is short; the rounds are what a stop cuts
+  Control quiet;  // cannot be stopped: what is left to do is short
   quiet.progress = control.progress;
   PointDistances d = point_distances(result.surface, points, start, {}, quiet);
   for (std::size_t i = 0; i < vertex.size(); ++i) {
@@ -90,7 +90,7 @@ PreparedMesh::PreparedMesh(const Mesh& mesh, std::vector<double> uv, const Corre
   if (measured.size() < 4 || data_ < 4)
     throw InvalidInput("fewer than 4 vertices are data: there is no surface to fit");
   untangling_ = slides(holding_, options.slide, options.round_corners);
-  sliding_.assign(untangling_.size(), Slide::fixed);  // in the middle of a hole
+  sliding_.assign(untangling_.size(), Slide::fixed);  // vertices that are no data stay
   for (const std::int32_t k : measured) sliding_[k] = untangling_[k];
 }
 
@@ -114,6 +114,15 @@ double PreparedMesh::error(const CorrectionResult& result, const Tolerance& tole
   return distances.empty() ? INFINITY : measured_error(distances, tolerance);
 }
 
+void keep_first(Index vertices, CorrectionResult& result) {
+  const auto cut = [&](std::vector<double>& x, Index width) {
+    if (!x.empty()) x.resize(static_cast<std::size_t>(width * vertices));
+  };
+  cut(result.uv, 2);
+  cut(result.foot_points, 2);
+  cut(result.signed_distances, 1);
+}
+
 CorrectionResult PreparedMesh::finish(CorrectionRun run, bool from_first_fit, const Control& control) const {
   CorrectionResult result;
   result.rounds = std::move(run.rounds);
@@ -127,7 +136,8 @@ CorrectionResult PreparedMesh::finish(CorrectionRun run, bool from_first_fit, co
                   : run.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
                                                          : CorrectionStatus::corrected;
   result.surface = frame_.outside(*run.surface);
-  // The first, and another with fewer triangles turned over that folds no more or not over.
+  // Takes the first parameters. Takes others where fewer triangles are turned over, and the surface does not fold over
+  // or folds no more.
   const auto take = [&](std::vector<double> uv) {
     FoldReport folds = measure_folds(result.surface, mesh_, uv);
     if (!result.uv.empty() && (folds.flipped >= result.folds.flipped ||
@@ -139,7 +149,7 @@ CorrectionResult PreparedMesh::finish(CorrectionRun run, bool from_first_fit, co
   if (from_first_fit && run.best == 0) {
     take(first_);
   } else {
-    // From the rounds' own parameters, where hardly a triangle is turned over; from the map where some are.
+    // Begins with the rounds' own parameters, which turn hardly a triangle over; where some stay turned, with the map too.
     const std::vector<Vec3> position = frame_.inside(mesh_);
     const auto ended_at = [&](std::vector<double> from) {
       return final_parameters(mesh_.faces, position, sliding_, std::move(from), run.uv, *run.surface);

@@ -149,9 +149,7 @@ void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions
   r.method = found.method;
   r.fits = found.fits;
   fit.correction = std::move(found.correction);
-  for (std::vector<double>* x : {&fit.correction.uv, &fit.correction.foot_points})
-    x->resize(static_cast<std::size_t>(2 * mesh.vertex_count()));
-  fit.correction.signed_distances.resize(static_cast<std::size_t>(mesh.vertex_count()));
+  correction::keep_first(mesh.vertex_count(), fit.correction);
 }
 
 }  // namespace
