@@ -2,7 +2,7 @@
 // correction. The face of samples/ (17 157 vertices).
 #include <benchmark/benchmark.h>
 
-#include "correct/work.h"
+#include "correct/prepared_mesh.h"
 #include "knotfit/io.h"
 #include "knotfit/parameterize_mesh.h"
 namespace knotfit {
@@ -37,7 +37,7 @@ BENCHMARK_CAPTURE(map, searched, true)->Apply(by_both_clocks);
 struct Prepared {
   MeshMap map = parameterize_mesh(face(), one_map());
   Mesh mesh = halve_edges(face(), map.halved_edges);
-  correction::CorrectionWork work{mesh, map.all_uv(), options()};
+  correction::PreparedMesh at_start{mesh, map.all_uv(), options()};
 
   CorrectionOptions options() const {
     CorrectionOptions options;
@@ -53,9 +53,9 @@ void rounds(benchmark::State& state, bool measured) {
   const KnotVector knots = KnotVector::uniform(3, static_cast<int>(state.range(0)) - 4);
   const Control control;
   for (auto _ : state) {
-    correction::Rounds r = prepared.work.run(prepared.work.first(), knots, knots, prepared.work.options(),
-                                             Stage(control, "correction"));
-    if (measured) benchmark::DoNotOptimize(prepared.work.finish(std::move(r), true, control));
+    correction::CorrectionRun r = prepared.at_start.run(
+        prepared.at_start.first(), knots, knots, prepared.at_start.options(), Stage(control, "correction"));
+    if (measured) benchmark::DoNotOptimize(prepared.at_start.finish(std::move(r), true, control));
   }
 }
 BENCHMARK_CAPTURE(rounds, alone, false)->Arg(20)->Arg(40)->Apply(by_both_clocks);

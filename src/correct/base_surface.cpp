@@ -65,7 +65,7 @@ struct Chain {
 void close_loop(std::vector<Chain>& chain) {
   double mean = 0;
   for (const Chain& c : chain) mean += c.length / 4;
-  // The first may be the wrong way round for nothing: both ends must find a curve.
+  // The first curve keeps its way round: both its ends must meet another.
   for (std::size_t k = 0; k + 1 < 4; ++k) {
     std::size_t nearest = k + 1;
     bool turned = false;
@@ -145,7 +145,7 @@ CloudMap parameterize_cloud(std::span<const double> points, const Surface& base,
       if (length > 0) uv[2 * k + c] += along / length;
     }
   }
-  // Lengths as in space by the base's mean ones.
+  // Scales u and v by the base's mean lengths, so that lengths are nearly those in space.
   double sides[2] = {0, 0};
   for (int c = 0; c < 2; ++c)
     for (Index k = 0; k < n; ++k) {

@@ -1,4 +1,4 @@
-// The loop over the points of one cell, for weights that are 3 x 3 matrices.
+// Sums over the points of one cell whose weights are 3 x 3 matrices.
 #pragma once
 #include <span>
 namespace knotfit::correction {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "correct/work.h"
+#include "correct/prepared_mesh.h"
 #include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
@@ -22,12 +22,12 @@ CorrectionResult correct_parameters(const Mesh& mesh, const std::vector<double>&
   if (given.start && (given.start->dimension() != 3 || given.start->knots_u() != knots_u ||
                       given.start->knots_v() != knots_v))
     throw InvalidInput("the surface to start from is over other knots");
-  const correction::CorrectionWork work(mesh, uv, given);
-  CorrectionOptions options = work.options();
-  if (options.start) options.start = work.frame().inside(*options.start);
-  options.keep_by.value /= work.frame().diagonal;
+  const correction::PreparedMesh prepared(mesh, uv, given);
+  CorrectionOptions options = prepared.options();
+  if (options.start) options.start = prepared.frame().inside(*options.start);
+  options.keep_by.value /= prepared.frame().scale();
   const Stage stage(control, "correction");
-  return work.finish(work.run(uv, knots_u, knots_v, options, stage), !options.start, control);
+  return prepared.finish(prepared.run(uv, knots_u, knots_v, options, stage), !options.start, control);
 }
 
 CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const KnotVector& knots_u,
@@ -38,10 +38,7 @@ CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const 
   if (options.data_vertices < 0) options.data_vertices = mesh.vertex_count();
   CorrectionResult result = correct_parameters(halve_edges(mesh, map.halved_edges), map.all_uv(), knots_u,
                                                knots_v, options, control);
-  for (std::vector<double>* x : {&result.uv, &result.foot_points})
-    if (!x->empty()) x->resize(static_cast<std::size_t>(2 * mesh.vertex_count()));
-  if (!result.signed_distances.empty())
-    result.signed_distances.resize(static_cast<std::size_t>(mesh.vertex_count()));
+  correction::keep_first(mesh.vertex_count(), result);
   return result;
 }
 

@@ -6,42 +6,26 @@
 #include <utility>
 
 #include "correct/parameter_guard.h"
+#include "data/orientation.h"
+#include "data/vertex_stars.h"
 namespace knotfit::correction {
 namespace {
 
 using Faces = std::span<const std::array<std::int32_t, 3>>;
 
-double area(std::span<const double> uv, const std::array<std::int32_t, 3>& t) {
-  const double *a = &uv[2 * t[0]], *b = &uv[2 * t[1]], *c = &uv[2 * t[2]];
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+/// Part of the way from `here` to `there`, where the vertex may slide.
+void go(Slide slide, const double* here, const double* there, double way, double* uv) {
+  for (int d = 0; d < 2; ++d)
+    if (slide != (d == 0 ? Slide::along_v : Slide::along_u))
+      uv[d] = std::clamp(here[d] + way * (there[d] - here[d]), 0.0, 1.0);
 }
 
-/// The triangles at each vertex.
-class Stars {
- public:
-  Stars(Faces faces, std::size_t vertices) : begin_(vertices + 1, 0), triangle_(3 * faces.size()) {
-    for (const auto& t : faces)
-      for (const std::int32_t k : t) ++begin_[static_cast<std::size_t>(k) + 1];
-    for (std::size_t k = 0; k < vertices; ++k) begin_[k + 1] += begin_[k];
-    std::vector<std::size_t> at(begin_.begin(), begin_.end() - 1);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      for (const std::int32_t k : faces[i]) triangle_[at[static_cast<std::size_t>(k)]++] = i;
-  }
-  std::span<const std::size_t> of(std::int32_t k) const {
-    const auto at = static_cast<std::size_t>(k);
-    return {triangle_.data() + begin_[at], begin_[at + 1] - begin_[at]};
-  }
-
- private:
-  std::vector<std::size_t> begin_, triangle_;
-};
-
-/// Neighbours weigh by the triangles they share with the vertex.
-std::array<double, 2> mean_of_neighbours(Faces faces, const Stars& stars, std::span<const double> uv,
+/// A neighbour counts as often as it shares a triangle with the vertex.
+std::array<double, 2> mean_of_neighbours(Faces faces, const VertexStars& stars, std::span<const double> uv,
                                          std::int32_t k) {
   std::array<double, 2> mean{};
   double count = 0;
-  for (const std::size_t i : stars.of(k))
+  for (const std::int32_t i : stars.of(k))
     for (const std::int32_t j : faces[i])
       if (j != k) {
         count += 1;
@@ -50,22 +34,22 @@ std::array<double, 2> mean_of_neighbours(Faces faces, const Stars& stars, std::s
   return {mean[0] / count, mean[1] / count};
 }
 
-/// What lies right in `first` and not in `uv`.
+/// Whether a triangle lies right in `first` and not in `uv`.
 bool turned(const std::array<std::int32_t, 3>& t, const std::vector<double>& first,
             const std::vector<double>& uv) {
   constexpr double least = 1e-14;
-  return area(uv, t) <= least && area(first, t) > 0;
+  return twice_area(uv, t) <= least && twice_area(first, t) > 0;
 }
 
 /// The vertices at most `rings` edges from a triangle.
-std::vector<std::int32_t> around(Faces faces, const Stars& stars, std::size_t triangle, int rings,
+std::vector<std::int32_t> around(Faces faces, const VertexStars& stars, std::size_t triangle, int rings,
                                  std::vector<char>& met) {
   std::vector<std::int32_t> found(faces[triangle].begin(), faces[triangle].end());
   for (const std::int32_t k : found) met[k] = 1;
   for (std::size_t from = 0, ring = 0; ring < static_cast<std::size_t>(rings); ++ring) {
     const std::size_t to = found.size();
     for (; from < to; ++from)
-      for (const std::size_t i : stars.of(found[from]))
+      for (const std::int32_t i : stars.of(found[from]))
         for (const std::int32_t k : faces[i])
           if (!std::exchange(met[k], 1)) found.push_back(k);
   }
@@ -83,11 +67,11 @@ struct Patch {
 
 /// Adds the weights with which a vertex's place in `first` is the mean of its neighbours': mean value coordinates
 /// [Floater03], and along a side of the square those of the two next to it.
-void add_weights(Faces faces, const Stars& stars, std::span<const Slide> slide,
+void add_weights(Faces faces, const VertexStars& stars, std::span<const Slide> slide,
                  const std::vector<double>& first, std::int32_t k, Patch& patch) {
   const std::size_t begin = patch.weights.size();
   const auto add_along = [&](std::size_t d) {
-    for (const std::size_t i : stars.of(k))
+    for (const std::int32_t i : stars.of(k))
       for (const std::int32_t j : faces[i])
         if (const double apart = std::abs(first[2 * j + d] - first[2 * k + d]);
             apart > 0 && first[2 * j + 1 - d] == first[2 * k + 1 - d])
@@ -96,7 +80,7 @@ void add_weights(Faces faces, const Stars& stars, std::span<const Slide> slide,
   if (slide[k] == Slide::along_u) add_along(0);
   if (slide[k] == Slide::along_v) add_along(1);
   if (slide[k] == Slide::free)
-    for (const std::size_t i : stars.of(k)) {
+    for (const std::int32_t i : stars.of(k)) {
       const auto& t = faces[i];
       const std::size_t n = t[0] == k ? 0 : t[1] == k ? 1 : 2;
       const std::int32_t a = t[(n + 1) % 3], b = t[(n + 2) % 3];
@@ -118,7 +102,8 @@ constexpr int most_sweeps(int rings) {
   return 20 + 10 * rings;
 }
 
-/// Successive over-relaxation towards every vertex the mean that its weights say. \return false where it runs away
+/// Moves the vertices to the means that their weights ask for, by successive over-relaxation. \return false where that
+/// diverges
 bool relax(const Patch& patch, std::span<const Slide> slide, int rings, std::vector<double>& uv) {
   constexpr double settled = 1e-9, lost = 10, most_relaxation = 1.8;
   const double relaxation = std::min(most_relaxation, 2 / (1 + std::sin(std::numbers::pi / (2 * rings + 2))));
@@ -144,10 +129,10 @@ bool relax(const Patch& patch, std::span<const Slide> slide, int rings, std::vec
   return true;
 }
 
-/// Lays a patch around each turned triangle anew, as the map had it but for what its outline asks. Small patches first;
-/// one is taken where it leaves fewer turned.
-bool lay_anew(Faces faces, const Stars& stars, std::span<const Slide> slide, const std::vector<double>& first,
-              std::vector<double>& uv) {
+/// Lays a patch around each turned triangle anew: as it is in `first`, but for its outline. Tries small patches first, and
+/// takes one that leaves fewer triangles turned.
+bool lay_anew(Faces faces, const VertexStars& stars, std::span<const Slide> slide,
+              const std::vector<double>& first, std::vector<double>& uv) {
   constexpr int most_rings = 64;
   constexpr std::size_t most_moves = 30'000'000;  // half a second
   std::size_t moves = 0, left = 1;
@@ -166,7 +151,7 @@ bool lay_anew(Faces faces, const Stars& stars, std::span<const Slide> slide, con
       const auto bad = [&] {
         int count = 0;
         for (const std::int32_t k : patch.vertices)
-          for (const std::size_t i : stars.of(k)) count += turned(faces[i], first, uv);
+          for (const std::int32_t i : stars.of(k)) count += turned(faces[i], first, uv);
         return count;
       };
       const int before = bad();
@@ -189,13 +174,13 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
               std::vector<double>& uv) {
   constexpr int most_passes = 200;
   constexpr double ways[] = {1, 0.5, 0.25, 1.5};
-  const Stars stars(faces, slide.size());
-  // The smallest area of a vertex's triangles, those of the map as units.
+  const VertexStars stars(faces, static_cast<Index>(slide.size()));
+  // The smallest area of a vertex's triangles, by their areas in `first`.
   auto smallest = [&](std::int32_t k) {
     double result = INFINITY;
-    for (const std::size_t i : stars.of(k))
-      if (const double unit = area(first, faces[i]); unit > 0)
-        result = std::min(result, area(uv, faces[i]) / unit);
+    for (const std::int32_t i : stars.of(k))
+      if (const double unit = twice_area(first, faces[i]); unit > 0)
+        result = std::min(result, twice_area(uv, faces[i]) / unit);
     return result;
   };
   for (int pass = 0; pass < most_passes; ++pass) {
@@ -203,10 +188,10 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
     for (const auto& t : faces)
       if (turned(t, first, uv)) {
         vertices.insert(vertices.end(), t.begin(), t.end());
-        // One that cannot be turned back by its own vertices pulls at those around them.
+        // A triangle that its own vertices do not turn back pulls at those around them.
         if (pass % 4 == 3)
           for (const std::int32_t k : t)
-            for (const std::size_t i : stars.of(k))
+            for (const std::int32_t i : stars.of(k))
               vertices.insert(vertices.end(), faces[i].begin(), faces[i].end());
       }
     if (vertices.empty()) return true;
@@ -219,9 +204,7 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
       const double here[2] = {uv[2 * k], uv[2 * k + 1]};
       double best[2] = {here[0], here[1]}, most = smallest(k);
       for (const double way : ways) {
-        if (slide[k] != Slide::along_v) uv[2 * k] = std::clamp(here[0] + way * (mean[0] - here[0]), 0.0, 1.0);
-        if (slide[k] != Slide::along_u)
-          uv[2 * k + 1] = std::clamp(here[1] + way * (mean[1] - here[1]), 0.0, 1.0);
+        go(slide[k], here, mean.data(), way, &uv[2 * k]);
         if (const double size = smallest(k); size > most) {
           most = size;
           best[0] = uv[2 * k], best[1] = uv[2 * k + 1];
@@ -238,7 +221,8 @@ bool untangle(Faces faces, std::span<const Slide> slide, const std::vector<doubl
 std::vector<double> final_parameters(Faces faces, const std::vector<Vec3>& position,
                                      std::span<const Slide> slide, std::vector<double> from,
                                      std::vector<double> corrected, const Surface& surface) {
-  constexpr int rounds = 16;  // face: folded 0.63 % after 4, 0.36 % after 8, 0.28 % after 16, 0.30 % after 32
+  constexpr int rounds =
+      16;  // measured on the face: folded 0.63 % after 4, 0.36 after 8, 0.28 after 16, 0.30 after 32
   ParameterGuard guard(faces, static_cast<Index>(position.size()));
   const CellPolynomials cells(surface);
   const FootPointOptions steps{3, cells.u().mean_length(), cells.v().mean_length()};
@@ -260,7 +244,7 @@ Index approach_feet(Faces faces, const std::vector<Vec3>& position, std::span<co
   constexpr double least_area = 1e-3;  // of what a triangle had
   constexpr double ways[] = {1, 0.5, 0.25, 0.1};
   const CellPolynomials cells(surface);
-  const Stars stars(faces, position.size());
+  const VertexStars stars(faces, static_cast<Index>(position.size()));
   const auto error = [&](std::size_t k) {
     return length(cells.jet(uv[2 * k], uv[2 * k + 1]).s - position[k]);
   };
@@ -275,7 +259,7 @@ Index approach_feet(Faces faces, const std::vector<Vec3>& position, std::span<co
         error(k) > far * std::max(std::abs(distance[k]), rms))
       lagging.push_back(static_cast<std::int32_t>(k));
   std::vector<double> least(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) least[f] = least_area * area(uv, faces[f]);
+  for (std::size_t f = 0; f < faces.size(); ++f) least[f] = least_area * twice_area(uv, faces[f]);
   std::vector<char> moved(position.size(), 0);
   for (int sweep = 0; sweep < most_sweeps && !lagging.empty(); ++sweep) {
     bool any = false;
@@ -284,12 +268,11 @@ Index approach_feet(Faces faces, const std::vector<Vec3>& position, std::span<co
       const double here[2] = {uv[2 * k], uv[2 * k + 1]}, before = error(static_cast<std::size_t>(k));
       bool there = false;
       for (const double way : ways) {
-        if (slide[k] != Slide::along_v) uv[2 * k] = here[0] + way * (feet[2 * k] - here[0]);
-        if (slide[k] != Slide::along_u) uv[2 * k + 1] = here[1] + way * (feet[2 * k + 1] - here[1]);
+        go(slide[k], here, &feet[2 * k], way, &uv[2 * k]);
         const auto star = stars.of(k);
-        // A triangle that is turned over already counts for nothing.
-        const bool sound = std::all_of(star.begin(), star.end(), [&](std::size_t f) {
-          return !(least[f] > 0) || area(uv, faces[f]) >= least[f];
+        // A triangle that is turned over already sets no limit.
+        const bool sound = std::all_of(star.begin(), star.end(), [&](std::int32_t f) {
+          return !(least[f] > 0) || twice_area(uv, faces[f]) >= least[f];
         });
         if (sound && error(static_cast<std::size_t>(k)) < before) {
           any = true;

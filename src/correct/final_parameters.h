@@ -1,4 +1,4 @@
-// The corrected parameters of the mesh's own vertices, its own triangles none turned over [METHOD 8.13].
+// The corrected parameters of the mesh's own vertices, in which none of its triangles is turned over [METHOD 8.13].
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,11 +8,11 @@
 #include "nearest/foot_points.h"
 namespace knotfit::correction {
 
-/// The rounds keep the triangles of the holding mesh, whose edges are chains; those of the mesh itself have
-/// straight ones.
-/// \param from       parameters in which no triangle is turned over: those the correction began with, or untangled ones
+/// The rounds keep the triangles of the holding mesh from turning over. There an edge of the mesh is a chain; here it is
+/// straight.
+/// \param from       parameters in which no triangle is turned over: of the map, or untangled
 /// \param corrected  n x 2, of the last round
-/// \return foot points as near as no triangle that lies right in `from` allows
+/// \return foot points, as near as the triangles that lie right in `from` allow
 std::vector<double> final_parameters(std::span<const std::array<std::int32_t, 3>> faces,
                                      const std::vector<Vec3>& position, std::span<const Slide> slide,
                                      std::vector<double> from, std::vector<double> corrected,
@@ -25,9 +25,10 @@ std::vector<double> final_parameters(std::span<const std::array<std::int32_t, 3>
 bool untangle(std::span<const std::array<std::int32_t, 3>> faces, std::span<const Slide> slide,
               const std::vector<double>& first, std::vector<double>& uv);
 
-/// Vertices whose error at their parameters is far larger than their distance go to their foot points one by one, as far
-/// as no triangle turns over, or shrinks to less than a thousandth of what it was: where a whole patch lags behind, over many sweeps.
-/// \param feet      n x 2, of the closest points; NaN: no data, stays
+/// Moves vertices whose error at their parameters is far larger than their distance to their foot points, one by one, as
+/// far as no triangle turns over or shrinks to less than a thousandth. Where a whole patch lags behind, that takes many
+/// sweeps.
+/// \param feet      n x 2, of the closest points; NaN: the vertex is no data and stays
 /// \param distance  n, from them; any sign
 /// \return vertices moved
 Index approach_feet(std::span<const std::array<std::int32_t, 3>> faces, const std::vector<Vec3>& position,

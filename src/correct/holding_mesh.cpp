@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "data/mesh_topology.h"
+#include "data/orientation.h"
 namespace knotfit::correction {
 namespace {
 
@@ -28,21 +31,12 @@ HoldingMesh holding_mesh(const Mesh& mesh, std::vector<Vec3> position, std::vect
   if (m.virtual_face.empty()) m.virtual_face.assign(m.face.size(), 0);
   m.uv = std::move(uv);
   m.own = own;
-  // Edges that one face has.
-  struct Half {
-    Edge edge;
-    std::int32_t a, b;
-  };
-  std::vector<Half> halves;
-  for (const auto& t : m.face)
-    for (int k = 0; k < 3; ++k) halves.push_back({edge_of(t[k], t[(k + 1) % 3]), t[k], t[(k + 1) % 3]});
-  std::sort(halves.begin(), halves.end(), [](const Half& x, const Half& y) { return x.edge < y.edge; });
-  for (std::size_t k = 0; k < halves.size();) {
-    std::size_t end = k + 1;
-    while (end < halves.size() && halves[end].edge == halves[k].edge) ++end;
-    if (end - k == 1) m.border.push_back({halves[k].a, halves[k].b});
-    k = end;
-  }
+  const MeshTopology topology(mesh);
+  for (const MeshEdge& edge : topology.edges)
+    if (edge.count == 1) {
+      const std::int32_t half_edge = topology.half_edges[edge.first];
+      m.border.push_back({topology.from(half_edge), topology.to(half_edge)});
+    }
   return m;
 }
 
@@ -162,10 +156,8 @@ void weigh_added(const HoldingMesh& mesh, double share, PointWeights& points) {
   std::vector<double> area(mesh.position.size(), 0.0);
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     if (mesh.virtual_face[f]) continue;
-    const auto& t = mesh.face[f];
-    const double *a = &mesh.uv[2 * t[0]], *b = &mesh.uv[2 * t[1]], *c = &mesh.uv[2 * t[2]];
-    const double part = std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 6;
-    for (const std::int32_t k : t) area[k] += part;
+    const double part = std::abs(twice_area(mesh.uv, mesh.face[f])) / 6;
+    for (const std::int32_t k : mesh.face[f]) area[k] += part;
   }
   for (std::size_t i = 0; i < points.vertex.size(); ++i)
     if (!points.data[i]) points.weight[i] = share * std::max(area[points.vertex[i]], points.area[i]);

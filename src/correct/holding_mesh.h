@@ -1,5 +1,5 @@
-// The mesh that a correction works on: its vertices, and others inside long edges that hold the surface where the
-// parameter square has few of them [METHOD 8.2].
+// The mesh that a correction works on. Vertices added inside long edges hold the surface where the parameter square has
+// few [METHOD 8.2].
 #pragma once
 #include <array>
 #include <cstdint>
@@ -22,27 +22,26 @@ struct HoldingMesh {
 };
 
 /// \param own       vertices from here on are no data
-/// \param position  of the vertices, in the frame of the correction
+/// \param position  of the vertices, in the frame of the mesh
 HoldingMesh holding_mesh(const Mesh& mesh, std::vector<Vec3> position, std::vector<double> uv, Index own);
 
-/// Halves every edge longer than `longest_u` or `longest_v` in the parameters until none is left; the map as a
-/// function stays as it is.
+/// Halves the edges longer than `longest_u` or `longest_v` in the parameters until none is left. X(u,v) stays the same.
 void halve_long_edges(HoldingMesh& mesh, double longest_u, double longest_v);
 
-/// Where each vertex may slide: a boundary vertex on a side along it, one at a corner nowhere.
-/// \param round  past the corners
+/// How each vertex may slide: one on a side of the square along it, one at a corner not at all.
+/// \param slide  false: none on a side or corner slides   \param round  they slide past the corners too
 std::vector<Slide> slides(const HoldingMesh& mesh, bool slide, bool round);
 
-/// Weights of the points: 1 / n of each own vertex that a face of the data has; of an added one
-/// share * max(its part of the mesh's area, of the square's); 0 where only virtual faces are.
+/// The points are the vertices of faces that are data. One of the mesh itself weighs 1 / n, an added one share * max(its
+/// part of the mesh's area, its part of the square).
 struct PointWeights {
-  std::vector<std::int32_t> vertex;  ///< those that count
+  std::vector<std::int32_t> vertex;  ///< by point
   std::vector<char> data;            ///< by point: an own vertex
   std::vector<double> area;          ///< by point: part of the mesh's area
   std::vector<double> weight;        ///< by point
 };
 PointWeights point_weights(const HoldingMesh& mesh);
-/// Renews the weights of added vertices for parameters that moved.
+/// Renews the weights of added vertices after the parameters moved.
 void weigh_added(const HoldingMesh& mesh, double share, PointWeights& points);
 
 }  // namespace knotfit::correction

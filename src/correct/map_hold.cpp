@@ -19,7 +19,7 @@ std::vector<GradientDatum> gradient_data(const HoldingMesh& mesh, const SpanTabl
   for (Index i = 0; i < nu; ++i)
     for (Index j = 0; j < nv; ++j) {
       const std::int32_t f = grid.face[grid.index(i, j)];
-      if (f < 0 || map.virtual_face[f]) continue;
+      if (f < 0 || !map.is_data(f)) continue;
       const double hu = u.length(i / per_span), hv = v.length(j / per_span);
       const double w = each * hu * hv / (u.mean_length() * v.mean_length());
       const TriangleFrame t = triangle_frame(map, f);
@@ -27,7 +27,7 @@ std::vector<GradientDatum> gradient_data(const HoldingMesh& mesh, const SpanTabl
     }
   for (const auto& [a, b] : mesh.border) {
     const double *p = &mesh.uv[2 * a], *q = &mesh.uv[2 * b];
-    for (const int c : {0, 1}) {  // along coordinate c, the other one 0 or 1
+    for (const int c : {0, 1}) {  // the edge runs along coordinate c; the other one is 0 or 1
       const double side = p[1 - c], from = std::min(p[c], q[c]), to = std::max(p[c], q[c]);
       if (side != q[1 - c] || (side != 0 && side != 1) || to - from < 1e-12) continue;
       const std::vector<double>& places = c == 0 ? grid.u : grid.v;
@@ -60,7 +60,7 @@ struct SignedSingularValues {
   double theta() const { return (std::atan2(h, e) - std::atan2(g, f)) / 2; }
 };
 
-/// Where the mean over +-reach places, clipped, stands for.
+/// The centres of windows that reach `reach` places to both sides, clipped.
 std::vector<double> window_centres(const std::vector<double>& places, Index reach) {
   std::vector<double> centres;
   const auto n = static_cast<Index>(places.size());
@@ -86,7 +86,7 @@ Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable
   parallel_for(nu, [&](Index i) {
     for (Index q = i * nv; q < (i + 1) * nv; ++q) {
       const std::int32_t f = r.grid.face[q];
-      if (f < 0 || map.virtual_face[f]) continue;
+      if (f < 0 || !map.is_data(f)) continue;
       const TriangleFrame t = triangle_frame(map, f);
       const double row[9] = {t.normal.x, t.normal.y, t.normal.z, t.xu.x, t.xu.y,
                              t.xu.z,     t.xv.x,     t.xv.y,     t.xv.z};
@@ -149,7 +149,7 @@ std::optional<std::array<double, 3>> curvature_at(const Reference& r, Index i, I
 
 namespace {
 
-/// How far the angle between the surface's normal and the blurred mesh's is from free (0) to charged in full (1).
+/// 0 where the angle between the surface's normal and the blurred mesh's is free, 1 where it is charged in full.
 double ruffled(const Jet& jet, const Vec3& n) {
   constexpr double free = std::numbers::pi / 12, full = 5 * std::numbers::pi / 36;  // 15 and 25 degrees
   const double angle = std::acos(std::clamp(dot(unit(cross(jet.u, jet.v)), n), -1.0, 1.0));

@@ -1,4 +1,5 @@
-// What of the mesh map holds the surface between the vertices: its gradients and its senses [METHOD 8.6, 8.7].
+// How the mesh map holds the surface between the vertices: by its gradients, its normals and its curvature
+// [METHOD 8.6, 8.7, 8.8].
 #pragma once
 #include <array>
 #include <optional>
@@ -8,12 +9,12 @@
 #include "correct/tangent_system.h"
 namespace knotfit::correction {
 
-/// eps / G sum_g h_u^2 |S_u - X_u|^2 + h_v^2 |S_v - X_v|^2 over 3 x 3 places a cell, weighted by the cell's area,
-/// and along the four sides the derivative along them, a quarter of that [METHOD 8.6].
+/// The data of eps / G sum_g h_u^2 |S_u - X_u|^2 + h_v^2 |S_v - X_v|^2 over 3 x 3 places a cell, weighted by the cell's
+/// area. Along the four sides the derivative along the side counts too, by a quarter of that [METHOD 8.6].
 std::vector<GradientDatum> gradient_data(const HoldingMesh& mesh, const SpanTable& u, const SpanTable& v,
                                          double eps);
 
-/// The mesh blurred over about a span, at 4 x 4 places a cell: what the surface must not turn against.
+/// The mesh blurred over about a span, at 4 x 4 places a cell. The surface must not turn against it.
 struct Reference {
   MapSamples grid;
   struct Sample {
@@ -23,15 +24,15 @@ struct Reference {
     bool used = false;
   };
   std::vector<Sample> samples;
-  std::vector<double> centre_u, centre_v;  ///< by grid line: the middle of what the means there are over
+  std::vector<double> centre_u, centre_v;  ///< by grid line: the centre of its window
   double mean_area = 0;                    ///< of |X_u x X_v|
 };
 inline constexpr int kReferencePerSpan = 4;
-/// \param aspect  rho, width over height of the rectangle that suits the map
+/// \param aspect  width over height of the rectangle that suits the map
 Reference reference(const HoldingMesh& mesh, const SpanTable& u, const SpanTable& v, double aspect);
 
-/// n . X_uu, n . X_uv, n . X_vv at a sample, from how the mean normals turn over half a span to both sides:
-/// n . X_uu = -n_u . X_u, and so on. \return nothing where there is no mesh on one of them
+/// n . X_uu, n . X_uv, n . X_vv at a sample: n . X_uu = -n_u . X_u and so on, n_u from the mean normals half a span to
+/// both sides. \return nothing where one of them has no mesh
 std::optional<std::array<double, 3>> curvature_at(const Reference& reference, Index i, Index j);
 
 struct HingeState {
@@ -40,8 +41,8 @@ struct HingeState {
   std::vector<HingeRow> rows;
   std::vector<CurvatureDatum> curvature;
 };
-/// Hinge rows, and for ruffles that do not turn back curvature data: where the surface's normal is more than 15
-/// degrees off the blurred mesh's (in full from 25 on)
+/// The hinge rows [METHOD 8.7], and against ruffles curvature data [METHOD 8.8]: where the surface's normal is more than
+/// 15 degrees off the blurred mesh's (in full from 25 on)
 ///     fairness / G (h_u^4 (n.S_uu - n.X_uu)^2 + 2 h_u^2 h_v^2 (n.S_uv - n.X_uv)^2 + h_v^4 (n.S_vv - n.X_vv)^2),
 /// weighted by the cell's area, G samples in all.
 /// \param weights  k_c by cell; empty: the folded share alone

@@ -5,15 +5,22 @@
 namespace knotfit::correction {
 namespace {
 
+// Set, as [METHOD 8.10] has them.
 constexpr double kEps = 3e-3;         // of the squares beside the powers
 constexpr double kTangential = 1e-2;  // share of the distance in the tangent plane
 constexpr double kPowers[] = {4, 6, 9, 13, 20, 30, 45};
+constexpr int kRoundsAPower = 3;
+constexpr double kLittle = 0.97;    // of Phi before: a smaller fall leads to the next power
+constexpr double kLonger = 0.36;    // the first share tried is the last round's over this
+constexpr int kTrials = 5;          // each half the one before it
+constexpr double kMoreFolds = 1.2;  // times the folded share before: a step may lead there
 
-/// q by point; 0 where it is no data.
-std::vector<double> shares(const Batch& batch, const Verdict& verdict, double scale, bool capped) {
-  std::vector<double> q(verdict.squared.size(), 0.0);
+/// q by point; 0 where the point is no data.
+std::vector<double> shares(const MeshAtParameters& mesh, const Judgement& judgement, double scale,
+                           bool capped) {
+  std::vector<double> q(judgement.squared.size(), 0.0);
   for (std::size_t i = 0; i < q.size(); ++i)
-    if (batch.is_data(i)) q[i] = std::sqrt(verdict.squared[i]) / scale;
+    if (mesh.is_data(i)) q[i] = std::sqrt(judgement.squared[i]) / scale;
   if (capped)
     for (double& x : q) x = std::min(x, 1.0);
   return q;
@@ -28,50 +35,46 @@ double phi_of(const std::vector<double>& q, double power) {
 }  // namespace
 
 bool minimax_rounds(
-    Batch& batch, Surface surface, const CorrectionOptions& options, std::vector<double>& hinge_weights,
-    const Stage& stage,
-    const std::function<bool(const CorrectionRound&, const Verdict&, const Surface&)>& visit) {
+    MeshAtParameters& mesh, Surface surface, const CorrectionOptions& options,
+    std::vector<double>& hinge_weights, const Stage& stage,
+    const std::function<bool(const CorrectionRound&, const Judgement&, const Surface&)>& visit) {
   const bool capped = options.keep_by.measure == ErrorMeasure::percentile;
-  Verdict verdict = batch.judge(CellPolynomials(surface));
+  Judgement judgement = mesh.judge(CellPolynomials(surface));
   double share = 1;
-  std::size_t at = 0;
-  int small = 0;
+  std::size_t at = 0;  // of the powers
   for (int round = 0; round < options.minimax_rounds && at < std::size(kPowers); ++round) {
-    if (stage.report(static_cast<double>(round) / options.minimax_rounds, verdict.rms)) return false;
-    const double power = kPowers[at], scale = verdict.error;
+    if (stage.report(static_cast<double>(round) / options.minimax_rounds, judgement.rms)) return false;
+    const double power = kPowers[at], scale = judgement.error;
     if (!(scale > 0)) break;
     const CellPolynomials now(surface);
     CorrectionRound record;
     record.tangential = kTangential;
-    record.held = batch.move(now);
-    batch.begin_round();
-    verdict = batch.judge(now);
-    const HingeState hinge = batch.hinge(now, hinge_weights, true, 0);
+    record.held = mesh.move(now);
+    mesh.begin_round();
+    judgement = mesh.judge(now);
+    const HingeState hinge = mesh.hinge(now, hinge_weights, true, 0);
     record.hinge_rows = static_cast<Index>(hinge.rows.size());
-    const std::vector<double> q = shares(batch, verdict, scale, capped);
+    const std::vector<double> q = shares(mesh, judgement, scale, capped);
     std::vector<double> factor(q.size());
     for (std::size_t i = 0; i < q.size(); ++i) factor[i] = std::pow(q[i], power - 2) + kEps;
-    const std::optional<Surface> solved = batch.step(now, kTangential, hinge, batch.weights(factor));
+    const std::optional<Surface> solved = mesh.step(now, kTangential, hinge, mesh.weights(factor));
     if (!solved) break;
     const double before = phi_of(q, power);
     double after = before;
-    share = std::min(1.0, share / 0.36);
-    for (int shorter = 0; shorter < 5; ++shorter, share *= 0.5) {
+    share = std::min(1.0, share / kLonger);
+    for (int shorter = 0; shorter < kTrials; ++shorter, share *= 0.5) {
       const Surface trial = between(surface, *solved, share);
-      Verdict of_trial = batch.judge(CellPolynomials(trial));
-      after = phi_of(shares(batch, of_trial, scale, capped), power);
-      if (!(after < before) || of_trial.folded > std::max(kMostBlurredFold, 1.2 * verdict.folded)) continue;
+      Judgement of_trial = mesh.judge(CellPolynomials(trial));
+      after = phi_of(shares(mesh, of_trial, scale, capped), power);
+      if (!(after < before) || of_trial.folded > std::max(kMostBlurredFold, kMoreFolds * judgement.folded))
+        continue;
       surface = trial;
-      verdict = std::move(of_trial);
+      judgement = std::move(of_trial);
       break;
     }
     record.step = share;
-    record.rms = verdict.rms;
-    record.max = verdict.max;
-    record.folded = verdict.folded;
-    if (!visit(record, verdict, surface)) return true;
-    small = after > 0.97 * before ? small + 1 : 0;
-    if (small > 0 || round % 3 == 2) ++at, small = 0;
+    if (!visit(record, judgement, surface)) return true;
+    if (after > kLittle * before || (round + 1) % kRoundsAPower == 0) ++at;
   }
   return true;
 }

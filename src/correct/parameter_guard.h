@@ -1,10 +1,11 @@
-// No parameter triangle turns over [METHOD 8.4].
+// Keeps parameter triangles from turning over [METHOD 8.4].
 #pragma once
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "data/vertex_stars.h"
 #include "nearest/foot_points.h"
 namespace knotfit::correction {
 
@@ -13,20 +14,19 @@ class ParameterGuard {
   using Faces = std::span<const std::array<std::int32_t, 3>>;
   ParameterGuard(Faces faces, Index vertices);
 
-  /// A triangle keeps at least `keep` of its area: the vertices of one that would not go half way back to `from`,
-  /// from the seventh time all the way, until none is left. Ends: `from` is such a state.
+  /// Every triangle keeps at least `keep` of its area. The vertices of one that would not go half way back to `from`, from the
+  /// seventh time on all the way, until none is left. This ends, since `from` is such a state.
   /// \param to  n x 2, moved   \return vertices held
   Index hold(std::span<const double> from, std::span<double> to, double keep = 0.02);
 
-  /// After hold(): held vertices that slide freely go half way to the mean of their neighbours where no triangle
-  /// loses its sense; without it they jam.
+  /// For after hold(): moves held vertices that slide freely half way to the mean of their neighbours where no triangle turns
+  /// over. Without it they jam.
   void relax(std::span<double> to, std::span<const Slide> slide, int passes) const;
 
  private:
-  double area(std::span<const double> uv, std::int32_t face) const;
   Faces faces_;
-  std::vector<std::int32_t> star_start_, star_;  ///< faces at each vertex
-  std::vector<unsigned char> back_;              ///< times each vertex went back
+  VertexStars stars_;
+  std::vector<unsigned char> back_;  ///< times each vertex went back
 };
 
 }  // namespace knotfit::correction

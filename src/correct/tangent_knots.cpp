@@ -2,45 +2,13 @@
 #include <array>
 
 #include "correct/tangent_system.h"
-#include "knotfit/basis.h"
+#include "fit/knot_basis.h"
 namespace knotfit::correction {
-namespace {
-
-/// One direction at one place: the functions alive, and their derivatives in the knots that move them.
-struct KnotBasis {
-  Index span = 0;
-  std::array<double, kMaxDegree + 1> value{};
-  std::array<std::array<double, kMaxDegree + 1>, 2 * kMaxDegree> by_knot{};
-
-  KnotBasis(const Axis& axis, const std::vector<double>& tables, double x) : span(axis.span(x)) {
-    const int w = axis.width(), alive = 2 * axis.degree();
-    std::array<double, kMaxDegree + 1> p{};
-    legendre_values(axis.local(span, x), w, p.data());
-    const double* basis = axis.basis(span);
-    for (int a = 0; a < w; ++a)
-      for (int i = 0; i < w; ++i) value[i] += p[a] * basis[a * w + i];
-    for (int e = 0; e < alive; ++e) {
-      const double* table = tables.data() + (span * alive + e) * w * w;
-      for (int a = 0; a < w; ++a)
-        for (int i = 0; i < w; ++i) by_knot[e][i] += p[a] * table[a * w + i];
-    }
-  }
-};
-
-}  // namespace
-
 std::optional<KnotJacobian> TangentSystem::knot_jacobian(const SystemPoints& points, double smoothing,
                                                          const Holding& holding, const Surface& surface,
                                                          std::span<const char> counts) const {
-  const Index size = energy_.size(), band = energy_.bandwidth();
-  BandMatrix matrix(3 * size, 3 * band + 2), scalar(size, band);
-  std::vector<double> rhs(static_cast<std::size_t>(3 * size), 0.0);
-  const double trace = add_points(points, 3, matrix, rhs), energy_trace = energy_.trace();
-  add_gradient(holding.gradient, 3, scalar, rhs);
-  add_hinge(holding.hinge, matrix, rhs);
-  add_curvature(holding.curvature, matrix, rhs);
-  const std::optional<BandMatrix> factor =
-      factored(matrix, scalar, 3, energy_trace > 0 ? std::max(smoothing, 1e-12) * trace / energy_trace : 0);
+  const Sum sum = summed(points, holding);
+  const std::optional<BandMatrix> factor = factored(sum, std::max(smoothing, 1e-12));
   if (!factor) return std::nullopt;
 
   const Index ku = u_.spans() - 1, kv = v_.spans() - 1, count = ku + kv;
@@ -50,6 +18,7 @@ std::optional<KnotJacobian> TangentSystem::knot_jacobian(const SystemPoints& poi
   result.knots = static_cast<std::size_t>(count);
   result.matrix.assign(static_cast<std::size_t>(count * count), 0.0);
   result.gradient.assign(static_cast<std::size_t>(count), 0.0);
+  const Index size = energy_.size();
   Panel projected(3 * size, count), of_data(3 * size, count);
   std::vector<double> pull(static_cast<std::size_t>(3 * size), 0.0);  // A^T W r of the data
   struct Column {
@@ -57,9 +26,11 @@ std::optional<KnotJacobian> TangentSystem::knot_jacobian(const SystemPoints& poi
     Vec3 d, weighted;
   };
   std::vector<Column> columns;
+  KnotBasis bu, bv;
   for (std::size_t k = 0; k < points.weight.size(); ++k) {
     if (!(points.weight[k] > 0)) continue;
-    const KnotBasis bu(u_, tables_u, points.uv[2 * k]), bv(v_, tables_v, points.uv[2 * k + 1]);
+    bu.set(u_, tables_u, points.uv[2 * k]);
+    bv.set(v_, tables_v, points.uv[2 * k + 1]);
     std::array<Vec3, kMaxDegree + 1> along_u{}, along_v{};  // control points summed over the other direction
     Vec3 s;
     for (int i = 0; i < wu; ++i)
@@ -100,7 +71,7 @@ std::optional<KnotJacobian> TangentSystem::knot_jacobian(const SystemPoints& poi
         if (counts[k]) pull[row] += f * r.x, pull[row + 1] += f * r.y, pull[row + 2] += f * r.z;
       }
   }
-  // The control points minimise more than the data's sum, so that their share of its slope does not vanish.
+  // The control points minimise more than the data's sum: its slope in them does not vanish, and counts.
   factor->solve(pull.data(), 1);
   for (Index k = 0; k < count; ++k)
     for (Index row = 0; row < 3 * size; ++row) result.gradient[k] -= projected(row, k) * pull[row];

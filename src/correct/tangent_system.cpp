@@ -5,9 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "base/counting_sort.h"
 #include "correct/block_moments.h"
 #include "knotfit/basis.h"
+#include "solve/gram_entries.h"
+#include "solve/smoothing_floor.h"
 #include "solve/spans_in_turn.h"
+#include "solve/thin_plate.h"
 namespace knotfit::correction {
 namespace {
 
@@ -16,44 +20,76 @@ using ConstMap = Eigen::Map<const RowMatrix>;
 
 /// Points in the order of their cells: outer span, then inner span.
 struct Order {
-  std::vector<std::int32_t> point, cell;
+  std::vector<std::int32_t> point;
   std::vector<Index> start;  ///< by cell
 };
 
 Order sort_cells(std::span<const double> uv, const Axis& outer, const Axis& inner, bool swapped) {
-  const std::size_t n = uv.size() / 2;
-  Order o;
-  o.point.resize(n);
-  o.cell.resize(n);
-  o.start.assign(static_cast<std::size_t>(outer.spans() * inner.spans()) + 1, 0);
-  for (std::size_t k = 0; k < n; ++k) {
-    const double a = uv[2 * k + swapped], b = uv[2 * k + 1 - swapped];
-    o.cell[k] = static_cast<std::int32_t>(outer.span(a) * inner.spans() + inner.span(b));
-    ++o.start[o.cell[k] + 1];
-  }
-  for (std::size_t c = 1; c < o.start.size(); ++c) o.start[c] += o.start[c - 1];
-  std::vector<Index> next(o.start.begin(), o.start.end() - 1);
-  for (std::size_t k = 0; k < n; ++k) o.point[next[o.cell[k]]++] = static_cast<std::int32_t>(k);
-  return o;
+  std::vector<std::int32_t> cell;
+  for (std::size_t k = 0; k < uv.size(); k += 2)
+    cell.push_back(static_cast<std::int32_t>(outer.span(uv[k + swapped]) * inner.spans() +
+                                             inner.span(uv[k + 1 - swapped])));
+  Order order;
+  order.start = counting_sort(cell, outer.spans() * inner.spans(), order.point);
+  return order;
 }
 
-/// Basis functions and first derivatives at one place of one direction.
-struct Basis1 {
-  Index first = 0;
-  std::array<double, 2 * (kMaxDegree + 1)> value{};
-  Basis1(const KnotVector& knots, double x) {
+/// Basis functions and their derivatives at one place of one direction.
+struct Derivatives {
+  Index first = 0;  ///< function alive there
+  int width;
+  std::array<double, 3 * (kMaxDegree + 1)> row{};
+  Derivatives(const KnotVector& knots, double x, int order) : width(knots.degree() + 1) {
     const Index span = knots.find_span(x);
     first = span - knots.degree();
-    basis_derivatives(knots, span, x, 1, value);
+    basis_derivatives(knots, span, x, order, row);
   }
+  double operator()(int derivative, int function) const { return row[derivative * width + function]; }
 };
 
-/// The functions alive at (u,v), by the number they have in the system, with `f` = by_u B'_i B_j + by_v B_i B'_j.
+/// The functions alive at a place, by the number they have in the system, with `kinds` factors each.
+template <std::size_t kinds>
 struct Pattern {
   int count = 0;
   std::array<Index, (kMaxDegree + 1) * (kMaxDegree + 1)> id;
-  std::array<double, (kMaxDegree + 1) * (kMaxDegree + 1)> f;
+  std::array<std::array<double, kinds>, (kMaxDegree + 1) * (kMaxDegree + 1)> f;
+
+  /// \param number   of a function, from its numbers in u and v
+  /// \param factors  std::array<double, kinds>(i, j), of the i-th and j-th function alive
+  template <class Number, class Factors>
+  Pattern(const Derivatives& u, const Derivatives& v, const Number& number, const Factors& factors) {
+    for (int i = 0; i < u.width; ++i)
+      for (int j = 0; j < v.width; ++j, ++count) {
+        id[count] = number(u.first + i, v.first + j);
+        f[count] = factors(i, j);
+      }
+  }
 };
+
+/// Adds sum_k weight_k (n . sum_x f_xk P_x - target_k)^2, P_x the control points, to a matrix of blocks.
+/// \param product  (d, a, b): d sum_k a_k b_k, d a coordinate of n
+template <std::size_t kinds, class Product>
+void add_along(const Vec3& n, const Pattern<kinds>& at, const std::array<double, kinds>& weight,
+               const std::array<double, kinds>& target, const Product& product, BandMatrix& matrix,
+               std::vector<double>& rhs) {
+  const double direction[3] = {n.x, n.y, n.z};
+  for (int x = 0; x < at.count; ++x) {
+    std::array<double, kinds> weighted;
+    double right = 0;
+    for (std::size_t k = 0; k < kinds; ++k)
+      weighted[k] = weight[k] * at.f[x][k], right += weighted[k] * target[k];
+    for (int c = 0; c < 3; ++c) {
+      const Index column = 3 * at.id[x] + c;
+      rhs[column] += right * direction[c];
+      double* out = matrix.column(column) - column;
+      for (int y = 0; y < at.count; ++y) {
+        const double w = product(direction[c], weighted, at.f[y]);
+        for (int d = 0; d < 3; ++d)
+          if (const Index row = 3 * at.id[y] + d; row >= column) out[row] += w * direction[d];
+      }
+    }
+  }
+}
 
 }  // namespace
 
@@ -63,28 +99,17 @@ TangentSystem::TangentSystem(const KnotVector& u, const KnotVector& v, double as
   const Axis &outer = swapped_ ? v_ : u_, &inner = swapped_ ? u_ : v_;
   const Index ni = inner.functions();
   energy_.reset(outer.functions() * ni, outer.degree() * ni + inner.degree());
-  // x = aspect u, y = v up to a common factor; degree 1 has no second derivative: the membrane energy.
-  const bool membrane = std::min(outer.degree(), inner.degree()) == 1;
-  const double so = swapped_ ? 1 : 1 / (aspect * aspect), si = swapped_ ? 1 / (aspect * aspect) : 1;
-  const auto o0 = outer.gram(0), o1 = outer.gram(1), o2 = outer.gram(2);
-  const auto i0 = inner.gram(0), i1 = inner.gram(1), i2 = inner.gram(2);
-  const int wo = outer.width(), wi = inner.width();
-  for (Index i = 0; i < outer.functions(); ++i)
-    for (Index a = 0; a < wo && a <= i; ++a)
-      for (Index j = 0; j < ni; ++j)
-        for (Index b = 1 - wi; b < wi; ++b) {
-          const Index row = i * ni + j, column = (i - a) * ni + j - b;
-          if (j - b < 0 || j - b >= ni || column > row) continue;
-          const Index x = i * wo + a, y = std::max(j, j - b) * wi + std::abs(b);
-          energy_.add(row, column,
-                      membrane
-                          ? so * o1[x] * i0[y] + si * o0[x] * i1[y]
-                          : so * so * o2[x] * i0[y] + 2 * so * si * o1[x] * i1[y] + si * si * o0[x] * i2[y]);
-        }
+  // x = aspect u, y = v up to a common factor.
+  const double p = 1 / (aspect * aspect);
+  each_energy_entry(
+      EnergyGrams(outer), EnergyGrams(inner),
+      [&](Index row, Index column, double entry) { energy_.add(row, column, entry); }, swapped_ ? 1 : p,
+      swapped_ ? p : 1);
 }
 
-double TangentSystem::add_points(const SystemPoints& points, int block, BandMatrix& matrix,
-                                 std::vector<double>& rhs) const {
+void TangentSystem::add_points(const SystemPoints& points, Sum& sum) const {
+  BandMatrix& matrix = sum.matrix;
+  const int block = sum.block;
   const Axis &outer = swapped_ ? v_ : u_, &inner = swapped_ ? u_ : v_;
   const Order order = sort_cells(points.uv, outer, inner, swapped_);
   const int qo = outer.moments(), qi = inner.moments(), wo = outer.width(), wi = inner.width();
@@ -125,7 +150,7 @@ double TangentSystem::add_points(const SystemPoints& points, int block, BandMatr
         half.noalias() = po * m;
         gram[part].noalias() = half * pi.transpose();
       }
-      const auto add = [&](Index x, Index y, int row, int column) {  // x >= y
+      each_gram_entry({s, r, wo, wi, ni}, [&](Index x, Index y, int row, int column) {
         if (block == 1) {
           matrix.add(x, y, gram[0](row, column));
           return;
@@ -138,134 +163,88 @@ double TangentSystem::add_points(const SystemPoints& points, int block, BandMatr
         if (d > 0) c1[d - 1] += g[1], c2[d - 2] += g[2], c2[d - 1] += g[4];
         c1[d] += g[3], c1[d + 1] += g[4];
         c2[d] += g[5];
-      };
-      int row = 0;
-      for (int i = 0; i < wo; ++i)
-        for (int i2 = 0; i2 <= i; ++i2, ++row) {
-          int column = 0;
-          const Index x = (s + i) * ni + r, y = (s + i2) * ni + r;
-          for (int j = 0; j < wi; ++j)
-            for (int j2 = 0; j2 <= j; ++j2, ++column) {
-              add(x + j, y + j2, row, column);
-              if (i != i2 && j != j2) add(x + j2, y + j, row, column);
-            }
-        }
+      });
       for (int i = 0; i < wo; ++i)
         for (int j = 0; j < wi; ++j)
           for (int d = 0; d < 3; ++d) {
             const Index x = (s + i) * ni + r + j;
-            rhs[block == 1 ? d * size + x : 3 * x + d] += right[(d * wo + i) * wi + j];
+            sum.rhs[block == 1 ? d * size + x : 3 * x + d] += right[(d * wo + i) * wi + j];
           }
     }
   });
-  double sum = 0;
-  for (const double t : trace) sum += t;
+  for (const double t : trace) sum.trace += t;
+}
+
+void TangentSystem::add_gradient(std::span<const GradientDatum> data, Sum& sum) const {
+  const Index size = sum.scalar.size();
+  for (const GradientDatum& g : data) {
+    const Derivatives u(knots_u_, g.u, 1), v(knots_v_, g.v, 1);
+    const Pattern<2> at(u, v, numbers(), [&](int i, int j) {
+      return std::array{u(1, i) * v(0, j), u(0, i) * v(1, j)};
+    });
+    for (int x = 0; x < at.count; ++x) {
+      const double fu = g.weight_u * at.f[x][0], fv = g.weight_v * at.f[x][1];
+      const Vec3 r = fu * g.xu + fv * g.xv;
+      const Index k = at.id[x];
+      const double value[3] = {r.x, r.y, r.z};
+      for (int d = 0; d < 3; ++d) sum.rhs[sum.block == 1 ? d * size + k : 3 * k + d] += value[d];
+      double* column = sum.scalar.column(k) - k;
+      for (int y = 0; y < at.count; ++y)
+        if (at.id[y] >= k) column[at.id[y]] += fu * at.f[y][0] + fv * at.f[y][1];
+    }
+  }
+}
+
+void TangentSystem::add_hinge(std::span<const HingeRow> rows, Sum& sum) const {
+  for (const HingeRow& h : rows) {
+    const Derivatives u(knots_u_, h.u, 1), v(knots_v_, h.v, 1);
+    const Pattern<1> at(u, v, numbers(), [&](int i, int j) {
+      return std::array{h.a * u(1, i) * v(0, j) + h.b * u(0, i) * v(1, j)};
+    });
+    add_along(
+        h.y, at, {h.weight}, {h.target},
+        [](double d, const auto& a, const auto& b) { return a[0] * d * b[0]; }, sum.matrix, sum.rhs);
+  }
+}
+
+void TangentSystem::add_curvature(std::span<const CurvatureDatum> data, Sum& sum) const {
+  for (const CurvatureDatum& g : data) {
+    const Derivatives u(knots_u_, g.u, 2), v(knots_v_, g.v, 2);
+    const Pattern<3> at(u, v, numbers(), [&](int i, int j) {
+      return std::array{u(2, i) * v(0, j), u(1, i) * v(1, j), u(0, i) * v(2, j)};
+    });
+    add_along(
+        g.n, at, g.weight, g.target,
+        [](double d, const auto& a, const auto& b) { return d * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); },
+        sum.matrix, sum.rhs);
+  }
+}
+
+TangentSystem::Sum TangentSystem::summed(const SystemPoints& points, const Holding& holding) const {
+  const int block = points.matrix.empty() ? 1 : 3;
+  const Index size = energy_.size(), band = energy_.bandwidth();
+  Sum sum{block, BandMatrix(block * size, block == 1 ? band : 3 * band + 2), BandMatrix(size, band),
+          std::vector<double>(static_cast<std::size_t>(3 * size), 0.0), 0};
+  add_points(points, sum);
+  add_gradient(holding.gradient, sum);
+  if (block == 3) {
+    add_hinge(holding.hinge, sum);
+    add_curvature(holding.curvature, sum);
+  }
   return sum;
 }
 
-void TangentSystem::add_gradient(std::span<const GradientDatum> data, int block, BandMatrix& scalar,
-                                 std::vector<double>& rhs) const {
-  const Index size = scalar.size();
-  Pattern by_u, by_v;
-  for (const GradientDatum& g : data) {
-    const Basis1 bu(knots_u_, g.u), bv(knots_v_, g.v);
-    const int wu = u_.width(), wv = v_.width();
-    by_u.count = 0;
-    for (int i = 0; i < wu; ++i)
-      for (int j = 0; j < wv; ++j) {
-        by_u.id[by_u.count] = index(bu.first + i, bv.first + j);
-        by_u.f[by_u.count] = bu.value[wu + i] * bv.value[j];
-        by_v.f[by_u.count++] = bu.value[i] * bv.value[wv + j];
-      }
-    for (int x = 0; x < by_u.count; ++x) {
-      const double fu = g.weight_u * by_u.f[x], fv = g.weight_v * by_v.f[x];
-      const Vec3 r = fu * g.xu + fv * g.xv;
-      const Index k = by_u.id[x];
-      const double value[3] = {r.x, r.y, r.z};
-      for (int d = 0; d < 3; ++d) rhs[block == 1 ? d * size + k : 3 * k + d] += value[d];
-      double* column = scalar.column(k) - k;
-      for (int y = 0; y < by_u.count; ++y)
-        if (by_u.id[y] >= k) column[by_u.id[y]] += fu * by_u.f[y] + fv * by_v.f[y];
-    }
-  }
-}
-
-void TangentSystem::add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix,
-                              std::vector<double>& rhs) const {
-  for (const HingeRow& h : rows) {
-    const Basis1 bu(knots_u_, h.u), bv(knots_v_, h.v);
-    const int wu = u_.width(), wv = v_.width();
-    Pattern p;
-    for (int i = 0; i < wu; ++i)
-      for (int j = 0; j < wv; ++j) {
-        p.id[p.count] = index(bu.first + i, bv.first + j);
-        p.f[p.count++] = h.a * bu.value[wu + i] * bv.value[j] + h.b * bu.value[i] * bv.value[wv + j];
-      }
-    const double y[3] = {h.y.x, h.y.y, h.y.z};
-    for (int k = 0; k < p.count; ++k) {
-      const double w = h.weight * p.f[k];
-      for (int c = 0; c < 3; ++c) {
-        const Index at = 3 * p.id[k] + c;
-        rhs[at] += w * h.target * y[c];
-        double* column = matrix.column(at) - at;
-        for (int l = 0; l < p.count; ++l)
-          for (int d = 0; d < 3; ++d)
-            if (const Index row = 3 * p.id[l] + d; row >= at) column[row] += w * y[c] * p.f[l] * y[d];
-      }
-    }
-  }
-}
-
-void TangentSystem::add_curvature(std::span<const CurvatureDatum> data, BandMatrix& matrix,
-                                  std::vector<double>& rhs) const {
-  constexpr int of_u[3] = {2, 1, 0}, of_v[3] = {0, 1, 2};
-  constexpr std::size_t most = (kMaxDegree + 1) * (kMaxDegree + 1);
-  const int wu = u_.width(), wv = v_.width();
-  std::array<double, 3 * (kMaxDegree + 1)> bu{}, bv{};
-  std::array<Index, most> id;
-  std::array<std::array<double, 3>, most> f;
-  for (const CurvatureDatum& g : data) {
-    const Index su = knots_u_.find_span(g.u), sv = knots_v_.find_span(g.v);
-    basis_derivatives(knots_u_, su, g.u, 2, bu);
-    basis_derivatives(knots_v_, sv, g.v, 2, bv);
-    int count = 0;
-    for (int i = 0; i < wu; ++i)
-      for (int j = 0; j < wv; ++j, ++count) {
-        id[count] = index(su - knots_u_.degree() + i, sv - knots_v_.degree() + j);
-        for (int k = 0; k < 3; ++k) f[count][k] = bu[of_u[k] * wu + i] * bv[of_v[k] * wv + j];
-      }
-    const double n[3] = {g.n.x, g.n.y, g.n.z};
-    for (int x = 0; x < count; ++x) {
-      std::array<double, 3> wf;
-      double right = 0;
-      for (int k = 0; k < 3; ++k) wf[k] = g.weight[k] * f[x][k], right += wf[k] * g.target[k];
-      for (int c = 0; c < 3; ++c) {
-        const Index at = 3 * id[x] + c;
-        rhs[at] += right * n[c];
-        double* column = matrix.column(at) - at;
-        for (int y = 0; y < count; ++y) {
-          const double w = n[c] * (wf[0] * f[y][0] + wf[1] * f[y][1] + wf[2] * f[y][2]);
-          for (int d = 0; d < 3; ++d)
-            if (const Index row = 3 * id[y] + d; row >= at) column[row] += w * n[d];
-        }
-      }
-    }
-  }
-}
-
-std::optional<BandMatrix> TangentSystem::factored(const BandMatrix& matrix, const BandMatrix& scalar,
-                                                  int block, double lambda) const {
-  BandMatrix whole = matrix;
+std::optional<BandMatrix> TangentSystem::factored(const Sum& sum, double smoothing) const {
+  const double energy_trace = energy_.trace(),
+               lambda = energy_trace > 0 ? smoothing * sum.trace / energy_trace : 0;
+  BandMatrix whole = sum.matrix;
   const Index size = energy_.size(), band = energy_.bandwidth();
   for (Index k = 0; k < size; ++k) {
-    const double *e = energy_.column(k), *g = scalar.column(k);
+    const double *e = energy_.column(k), *g = sum.scalar.column(k);
     for (Index d = 0; d <= std::min(band, size - 1 - k); ++d) {
       const double x = lambda * e[d] + g[d];
       if (x == 0) continue;
-      if (block == 1)
-        whole.add(k + d, k, x);
-      else
-        for (Index c = 0; c < 3; ++c) whole.add(3 * (k + d) + c, 3 * k + c, x);
+      for (Index c = 0; c < sum.block; ++c) whole.add(sum.block * (k + d) + c, sum.block * k + c, x);
     }
   }
   if (!whole.factor()) return std::nullopt;
@@ -274,34 +253,24 @@ std::optional<BandMatrix> TangentSystem::factored(const BandMatrix& matrix, cons
 
 std::optional<Surface> TangentSystem::solve(const SystemPoints& points, double smoothing,
                                             const Holding& holding) const {
-  const int block = points.matrix.empty() ? 1 : 3;
-  const Index size = energy_.size(), band = energy_.bandwidth();
-  BandMatrix matrix(block * size, block == 1 ? band : 3 * band + 2), scalar(size, band);
-  std::vector<double> rhs(static_cast<std::size_t>(3 * size), 0.0);
-  const double trace = add_points(points, block, matrix, rhs);
-  add_gradient(holding.gradient, block, scalar, rhs);
-  if (block == 3) {
-    add_hinge(holding.hinge, matrix, rhs);
-    add_curvature(holding.curvature, matrix, rhs);
-  }
-  const double energy_trace = energy_.trace();
-  // Rounding can beat a very small floor: raise it rather than give up.
-  for (double floor = smoothing; floor <= std::max(smoothing, 1e-5); floor = std::max(100 * floor, 1e-12)) {
-    const std::optional<BandMatrix> whole =
-        factored(matrix, scalar, block, energy_trace > 0 ? floor * trace / energy_trace : 0);
-    if (!whole) continue;
-    std::vector<double> x = rhs;
-    whole->solve(x.data(), block == 1 ? 3 : 1);
-    if (!std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); })) continue;
-    std::vector<double> net(x.size());
-    for (Index i = 0; i < u_.functions(); ++i)
-      for (Index j = 0; j < v_.functions(); ++j)
-        for (Index d = 0; d < 3; ++d)
-          net[(i * v_.functions() + j) * 3 + d] =
-              x[block == 1 ? d * size + index(i, j) : 3 * index(i, j) + d];
-    return Surface(knots_u_, knots_v_, 3, std::move(net));
-  }
-  return std::nullopt;
+  const Sum sum = summed(points, holding);
+  const Index size = energy_.size();
+  std::vector<double> x;
+  const bool solved = with_smoothing_floor(smoothing, [&](double floor) {
+    const std::optional<BandMatrix> factor = factored(sum, floor);
+    if (!factor) return false;
+    x = sum.rhs;
+    factor->solve(x.data(), sum.block == 1 ? 3 : 1);
+    return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+  });
+  if (!solved) return std::nullopt;
+  std::vector<double> net(x.size());
+  for (Index i = 0; i < u_.functions(); ++i)
+    for (Index j = 0; j < v_.functions(); ++j)
+      for (Index d = 0; d < 3; ++d)
+        net[(i * v_.functions() + j) * 3 + d] =
+            x[sum.block == 1 ? d * size + index(i, j) : 3 * index(i, j) + d];
+  return Surface(knots_u_, knots_v_, 3, std::move(net));
 }
 
 }  // namespace knotfit::correction

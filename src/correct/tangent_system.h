@@ -1,5 +1,4 @@
-// The control points of one round: points with a matrix each, and what holds the surface between them
-// [METHOD 8.5].
+// The control points of one round, from points with a matrix each and what holds the surface between them [METHOD 8.5].
 #pragma once
 #include <array>
 #include <optional>
@@ -50,7 +49,7 @@ struct CurvatureDatum {
 /// What holds the surface between the points.
 struct Holding {
   std::span<const GradientDatum> gradient;
-  std::span<const HingeRow> hinge;  ///< needs the points' matrices, as the next
+  std::span<const HingeRow> hinge;  ///< as the next, only with the points' matrices
   std::span<const CurvatureDatum> curvature = {};
 };
 
@@ -66,33 +65,41 @@ class TangentSystem {
   /// \param aspect  width over height of the rectangle that the thin-plate energy is taken on
   TangentSystem(const KnotVector& u, const KnotVector& v, double aspect);
 
-  /// Minimises sum w (S - P)^T M (S - P) + lambda J + what holds it, lambda relative to tr(A^T W A) / tr(J). The
-  /// same bits for any number of threads.
+  /// Minimises sum w (S - P)^T M (S - P) + lambda J + what holds the surface. The same bits for any number of threads.
+  /// \param smoothing  lambda tr(J) / tr(A^T W A)
   /// \return nothing where no floor up to 1e-5 makes the matrix positive definite
   std::optional<Surface> solve(const SystemPoints& points, double smoothing, const Holding& holding) const;
 
-  /// The same sum as the knots move, the control points eliminated (Kaufman's variable projection on the points'
-  /// matrices: columns projected on the normals as far as these are) [METHOD 3.1, 8.11]; smoothing and what holds the surface
-  /// only hold the control points. Needs the matrices, and simple knots.
-  /// \param surface  over the system's knots, a minimiser of the whole
-  /// \param counts   by point: whether it is in the sum whose fall is wanted; the others hold the control points too
+  /// How the points' part of that sum changes with the knots, the control points eliminated: Kaufman's variable projection
+  /// [METHOD 3.1, 8.11]. Smoothing and what holds the surface hold the control points. Needs the points' matrices, and
+  /// simple knots.
+  /// \param surface  over the system's knots, a minimiser of the whole sum
+  /// \param counts   by point: 1 where it is in the sum that is to fall; the others only hold the control points
   std::optional<KnotJacobian> knot_jacobian(const SystemPoints& points, double smoothing,
                                             const Holding& holding, const Surface& surface,
                                             std::span<const char> counts) const;
 
  private:
-  /// matrix + lambda J + the scalar matrix in each block, factored. \return nothing where it is not positive definite
-  std::optional<BandMatrix> factored(const BandMatrix& matrix, const BandMatrix& scalar, int block,
-                                     double lambda) const;
+  /// The normal equations without the smoothing.
+  struct Sum {
+    int block;                ///< 3, or 1 where the three coordinates do not meet
+    BandMatrix matrix;        ///< of blocks
+    BandMatrix scalar;        ///< the same for each coordinate
+    std::vector<double> rhs;  ///< block 1: coordinate after coordinate; 3: three to a control point
+    double trace;             ///< tr(A^T W A)
+  };
+  Sum summed(const SystemPoints& points, const Holding& holding) const;
+  /// With the smoothing. \return nothing where the matrix is not positive definite
+  std::optional<BandMatrix> factored(const Sum& sum, double smoothing) const;
+  auto numbers() const {
+    return [this](Index i, Index j) { return index(i, j); };
+  }
+  /// The number of a function in the system.
   Index index(Index i, Index j) const { return swapped_ ? j * u_.functions() + i : i * v_.functions() + j; }
-  /// \return tr(A^T W A)
-  double add_points(const SystemPoints& points, int block, BandMatrix& matrix,
-                    std::vector<double>& rhs) const;
-  void add_gradient(std::span<const GradientDatum> data, int block, BandMatrix& scalar,
-                    std::vector<double>& rhs) const;
-  void add_hinge(std::span<const HingeRow> rows, BandMatrix& matrix, std::vector<double>& rhs) const;
-  void add_curvature(std::span<const CurvatureDatum> data, BandMatrix& matrix,
-                     std::vector<double>& rhs) const;
+  void add_points(const SystemPoints& points, Sum& sum) const;
+  void add_gradient(std::span<const GradientDatum> data, Sum& sum) const;
+  void add_hinge(std::span<const HingeRow> rows, Sum& sum) const;
+  void add_curvature(std::span<const CurvatureDatum> data, Sum& sum) const;
 
   KnotVector knots_u_, knots_v_;
   Axis u_, v_;

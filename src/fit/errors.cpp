@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quantile.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/fit_least_squares.h"
 #include "knotfit/tolerance.h"
 namespace knotfit {
-namespace {
-
-/// Position, in sorted order, of the least e such that at least `share` of n errors are <= e.
-std::size_t quantile_position(std::size_t n, double share) {
-  // Rounding of share * n must not ask for one point more than the share does.
-  const double rank = std::ceil(share * static_cast<double>(n) * (1 - 1e-12));
-  return std::clamp<std::size_t>(static_cast<std::size_t>(rank), 1, n) - 1;
-}
-
-}  // namespace
 
 double error_quantile(std::vector<double> errors, double share) {
   if (errors.empty() || !(share > 0 && share <= 1))

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/clones.h"
+#include "base/counting_sort.h"
 #include "base/narrow.h"
 #include "base/parallel.h"
 #include "knotfit/basis.h"
@@ -33,7 +34,7 @@ SpanTable::SpanTable(const KnotVector& knots) : degree_(knots.degree()), breaks_
   per_length_ = static_cast<double>(buckets) / (last() - first());
   bucket_.assign(static_cast<std::size_t>(buckets + 2), 0);
   Index s = 0;
-  for (Index b = 0; b < buckets + 2; ++b) {  // one early: the product may round up across a bucket's end
+  for (Index b = 0; b < buckets + 2; ++b) {  // a little early: the product may round up across a bucket's end
     const double x = first() + (static_cast<double>(b) - 1e-9) / per_length_;
     while (s + 1 < n && x >= breaks_[s + 1]) ++s;
     bucket_[b] = s;
@@ -134,7 +135,7 @@ Jet CellPolynomials::jet(Index a, Index b, double u, double v, SecondDerivatives
   const double t = u_.local(a, u), s = v_.local(b, v), hu = u_.inverse_half(a), hv = v_.inverse_half(b);
   const double* c = coefficients(a * v_.spans() + b);
   const int p = u_.degree(), q = v_.degree();
-  // Horner of the value and its Taylor coefficients: row i, j of f holds d^i/dt^i d^j/ds^j / (i! j!).
+  // Horner's scheme for the value and its Taylor coefficients: f[i][j] is d^i/dt^i d^j/ds^j S / (i! j!).
   double f[3][3][3] = {};
   for (int k = p; k >= 0; --k) {
     double g[3][3] = {};
@@ -194,14 +195,9 @@ void CellPolynomials::jets(std::span<const double> uv, Jet* out) const {
 std::vector<std::int32_t> order_by_cell(const CellPolynomials& surface, std::span<const double> uv) {
   const Index n = static_cast<Index>(uv.size() / 2);
   narrow(n);
-  std::vector<std::int32_t> cell(static_cast<std::size_t>(n)), order(static_cast<std::size_t>(n)),
-      place(static_cast<std::size_t>(surface.cells()) + 1, 0);
-  for (Index k = 0; k < n; ++k) {
-    cell[k] = static_cast<std::int32_t>(surface.cell(uv[2 * k], uv[2 * k + 1]));
-    ++place[cell[k] + 1];
-  }
-  for (std::size_t c = 1; c < place.size(); ++c) place[c] += place[c - 1];
-  for (Index k = 0; k < n; ++k) order[place[cell[k]]++] = static_cast<std::int32_t>(k);
+  std::vector<std::int32_t> cell(static_cast<std::size_t>(n)), order;
+  for (Index k = 0; k < n; ++k) cell[k] = static_cast<std::int32_t>(surface.cell(uv[2 * k], uv[2 * k + 1]));
+  counting_sort(cell, surface.cells(), order);
   return order;
 }
 

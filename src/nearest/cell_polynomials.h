@@ -1,4 +1,4 @@
-// A surface in space as one polynomial a knot cell: fast values and first derivatives at many places.
+// A surface in space as one polynomial for each knot cell: fast values and derivatives at many places.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -29,7 +29,7 @@ class SpanTable {
   double length(Index s) const { return breaks_[s + 1] - breaks_[s]; }
   double mean_length() const { return (last() - first()) / static_cast<double>(spans()); }
   Index function(Index s) const { return function_[s]; }  ///< first basis function that lives on the span
-  /// The span that holds x, the last one closed; x in the domain.
+  /// The span that holds x. The last one holds its end too. \param x  in the domain
   Index span(double x) const {
     Index s = bucket_[static_cast<std::size_t>((x - first()) * per_length_)];
     while (s + 1 < spans() && x >= breaks_[s + 1]) ++s;
@@ -58,12 +58,12 @@ class CellPolynomials {
   /// t^k s^l coefficients of a cell, [(k * (degree_v + 1) + l) * 3 + d], t and s in [-1,1].
   const double* coefficients(Index cell) const { return coefficients_.data() + cell * stride_; }
 
-  /// Runs of places in one cell are taken side by side: fastest where the places are sorted by cell. The bits
-  /// of a place do not depend on its neighbours. \param uv  n x 2, in the domain
+  /// Takes runs of places in one cell side by side, so that places sorted by cell are fastest. The bits of a place do not
+  /// depend on its neighbours. \param uv  n x 2, in the domain
   void jets(std::span<const double> uv, Jet* out) const;
   Jet jet(double u, double v) const;
   Jet jet(double u, double v, SecondDerivatives& second) const;
-  /// By the polynomial of span a in u and b in v, wherever u, v are.
+  /// Evaluates the polynomial of span a in u and span b in v. u and v may lie outside.
   Jet jet(Index a, Index b, double u, double v, SecondDerivatives& second) const;
 
  private:
@@ -72,7 +72,7 @@ class CellPolynomials {
   std::vector<double> coefficients_;
 };
 
-/// Order of the places by their cells (counting sort, stable).
+/// The places in the order of their cells; those of one cell keep their order.
 std::vector<std::int32_t> order_by_cell(const CellPolynomials& surface, std::span<const double> uv);
 
 }  // namespace knotfit

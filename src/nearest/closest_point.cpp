@@ -45,7 +45,7 @@ ClosestPoints closest_points(const Surface& surface, std::span<const double> poi
   const CellPolynomials cells(surface);
   const SurfaceTree tree(cells);
   Stage stage(control, "closest points");
-  const Index turn = 64 * batch;  // progress and stop are the calling thread's
+  const Index turn = 64 * batch;  // points between two reports, which come from the calling thread
   for (Index from = 0; from < n && !result.stopped; from += turn) {
     const Index count = std::min(turn, n - from);
     parallel_chunks(
@@ -67,7 +67,7 @@ ClosestPoints closest_points(const Surface& surface, std::span<const double> poi
     result.stopped =
         stage.report(static_cast<double>(from + count) / static_cast<double>(n)) && from + count < n;
   }
-  // As evaluate() says, to the last bit.
+  // The points are those of evaluate(), to the last bit.
   result.points = evaluate(surface, result.uv);
   for (Index k = 0; k < n; ++k)
     if (std::isfinite(result.distances[k]))

@@ -31,7 +31,7 @@ std::vector<double> curve_feet(const Curve& curve, bool closed, std::span<const 
   for (std::size_t k = 0; k < n; ++k) t[k] = uv[2 * k];
   if (!closed) return squared;
 
-  // Those that came to the seam go on from its other side.
+  // Points that came to the seam go on from its other side.
   const double first = surface.u().first(), last = surface.u().last();
   std::vector<std::size_t> stopped;
   std::vector<Vec3> there;

@@ -6,9 +6,9 @@
 #include "knotfit/curve.h"
 namespace knotfit {
 
-/// Foot points of points near a curve, from parameters near them: foot_points() on the surface that the curve makes
-/// where it does not change along v, with v held. An open curve's stay in its domain, a closed one's go round.
-/// \param curve   in R^1 to R^3; of a closed one a single period, whose ends meet
+/// Finds foot points of points near a curve, from parameters near them: foot_points() on the surface that is the curve at
+/// every v, with v held. Parameters of an open curve stay in its domain, those of a closed one go round.
+/// \param curve   in R^1 to R^3; a closed one is a single period, whose ends meet
 /// \param t       n, in the curve's domain, moved; no distance grows
 /// \param points  n x dimension
 /// \return squared distances

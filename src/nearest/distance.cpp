@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "base/stage.h"
+#include "data/mesh_data.h"
 #include "knotfit/closest_point.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
@@ -24,13 +26,7 @@ struct Sums {
   }
 };
 
-double quantile(const std::vector<double>& sorted, double share) {
-  const auto n = static_cast<double>(sorted.size());
-  const double rank = std::ceil(share * n - 1e-9 * n);
-  return sorted[static_cast<std::size_t>(std::clamp(rank - 1, 0.0, n - 1))];
-}
-
-/// All but where the worst one is.
+/// Leaves out the place of the worst.
 DistanceSummary summarize(const std::vector<double>& distances) {
   DistanceSummary s;
   s.count = static_cast<Index>(distances.size());
@@ -59,10 +55,11 @@ DistanceSummary summarize(const std::vector<double>& distances) {
   }
   std::sort(sorted.begin(), sorted.end());
   s.max = sorted.back();
-  s.median = quantile(sorted, 0.5);
-  s.p95 = quantile(sorted, 0.95);
-  s.p99 = quantile(sorted, 0.99);
-  s.p995 = quantile(sorted, 0.995);
+  const auto quantile = [&](double share) { return sorted[quantile_position(sorted.size(), share)]; };
+  s.median = quantile(0.5);
+  s.p95 = quantile(0.95);
+  s.p99 = quantile(0.99);
+  s.p995 = quantile(0.995);
   return s;
 }
 
@@ -114,26 +111,20 @@ DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::sp
   if (mesh.faces.empty()) throw InvalidInput("the mesh has no faces to measure distances to");
   if (samples < 1)
     throw InvalidInput(fmt::format("{} samples: there must be at least 1 a direction", samples));
-  if (!uv.empty() && static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  if (!uv.empty()) require_parameters(mesh, uv);
   const SpanTable tu(surface.knots_u()), tv(surface.knots_v());
   const auto per = [&](const SpanTable& t) {
     return std::max(4, static_cast<int>(std::lround(samples / static_cast<double>(t.spans()))));
   };
   const std::vector<double> u = centred_places(tu, per(tu)), v = centred_places(tv, per(tv));
   const Index nu = static_cast<Index>(u.size()), nv = static_cast<Index>(v.size());
-  // Triangles that close holes are no data: neither to be near to, nor to be over.
+  // Triangles that close holes are no data: no distance is to them, and none is measured over them.
   std::vector<std::array<std::int32_t, 3>> faces;
   for (Index f = 0; f < mesh.face_count(); ++f)
-    if (mesh.virtual_face.empty() || !mesh.virtual_face[f]) faces.push_back(mesh.faces[f]);
+    if (is_data(mesh, f)) faces.push_back(mesh.faces[f]);
   if (faces.empty()) throw InvalidInput("every face of the mesh only closes a hole: there is no data");
   std::vector<std::int32_t> over;
-  if (!uv.empty()) {
-    std::vector<Vec3> vertices;
-    for (Index k = 0; k < mesh.vertex_count(); ++k) vertices.push_back(at(mesh.vertex(k)));
-    over = sample_map({vertices, faces, {}, uv}, u, v).face;
-  }
+  if (!uv.empty()) over = sample_map({vertex_places(mesh), faces, {}, uv}, u, v).face;
   const TriangleTree tree(mesh.vertices, faces);
   std::vector<double> distances(static_cast<std::size_t>(nu * nv), -1.0);
   std::vector<double> places(static_cast<std::size_t>(3 * nu * nv));

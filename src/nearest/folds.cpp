@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "data/mesh_data.h"
 #include "data/orientation.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
@@ -21,15 +22,13 @@ void check(const Surface& surface, const Mesh& mesh, std::span<const double> uv)
   if (surface.dimension() != 3)
     throw InvalidInput(fmt::format("folds are of surfaces in space; this one has {} coordinate{}",
                                    surface.dimension(), surface.dimension() == 1 ? "" : "s"));
-  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  require_parameters(mesh, uv);
   for (std::size_t k = 0; k < uv.size(); ++k)
     if (!std::isfinite(uv[k]))
       throw InvalidInput(fmt::format("the parameters of vertex {} are not finite", k / 2));
 }
 
-/// Connected sets of marked samples, by flooding.
+/// The connected sets of folded samples, the largest first.
 std::vector<FoldPlace> places(const MapSamples& grid, const std::vector<char>& folded,
                               const std::vector<double>& turned, const std::vector<double>& weight,
                               const Surface& surface) {
@@ -64,18 +63,17 @@ std::vector<FoldPlace> places(const MapSamples& grid, const std::vector<char>& f
   return result;
 }
 
-/// Triangles whose neighbours by a corner have normals that agree (their mean is longer than 0.8), and that agree with them
-/// (within 45 degrees): 1.
+/// 1 for triangles that agree with those around them: the normals at their corners have a mean longer than 0.8, and theirs
+/// is within 45 degrees of it.
 std::vector<char> agreeing_faces(const MapView& map) {
   constexpr double least_length = 0.8, least_cosine = 0.7071;
   std::vector<Vec3> normal(map.faces.size()), sum(map.vertices.size());
   std::vector<int> count(map.vertices.size(), 0);
-  const auto is_data = [&](std::size_t f) { return map.virtual_face.empty() || map.virtual_face[f] == 0; };
   for (std::size_t f = 0; f < map.faces.size(); ++f) {
-    const auto& t = map.faces[f];
-    normal[f] = unit(cross(map.vertices[t[1]] - map.vertices[t[0]], map.vertices[t[2]] - map.vertices[t[0]]));
-    if (is_data(f))
-      for (const std::int32_t k : t) sum[k] += normal[f], ++count[k];
+    const auto face = static_cast<std::int32_t>(f);
+    normal[f] = map.normal(face);
+    if (map.is_data(face))
+      for (const std::int32_t k : map.faces[f]) sum[k] += normal[f], ++count[k];
   }
   std::vector<char> agree(map.faces.size(), 0);
   for (std::size_t f = 0; f < agree.size(); ++f) {
@@ -95,8 +93,7 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
   check(surface, mesh, uv);
   FoldReport report;
   report.flipped = count_flipped(mesh.faces, uv);
-  std::vector<Vec3> vertices;
-  for (Index k = 0; k < mesh.vertex_count(); ++k) vertices.push_back(at(mesh.vertex(k)));
+  const std::vector<Vec3> vertices = vertex_places(mesh);
   const MapView map{vertices, mesh.faces, mesh.virtual_face, uv};
   const CellPolynomials cells(surface);
   const MapSamples grid =
@@ -118,10 +115,9 @@ FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<con
       const double sides = length(jet.u) * length(jet.v);
       sine[q] = sides > 0 ? area[q] / sides : 0;
       weight[q] = share;
-      if (f < 0 || (!map.virtual_face.empty() && map.virtual_face[f])) continue;
+      if (f < 0 || !map.is_data(f)) continue;
       use[q] = 1;
-      const auto& t = mesh.faces[f];
-      const Vec3 normal = unit(cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]));
+      const Vec3 normal = map.normal(f);
       normals[3 * q] = normal.x, normals[3 * q + 1] = normal.y, normals[3 * q + 2] = normal.z;
     }
   });

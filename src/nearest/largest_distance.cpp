@@ -11,11 +11,11 @@
 namespace knotfit {
 namespace {
 
-constexpr double kKnown = 0.01;  // of the largest distance
+constexpr double kKnown = 0.01;  // of the largest distance: a cell that may hold no more beyond it is done
 constexpr double kUnseen =
-    2;  // of how much the distances about a cell of the grid differ: what it may hold more
+    2;  // times the differences of the distances around a cell of the grid: what it may hold beyond them
 constexpr int kMostLevels = 14;        // of quarters
-constexpr Index kMostCells = 200'000;  // of a level, those that may hold most
+constexpr Index kMostCells = 200'000;  // of a level: those that may hold most are taken
 
 struct Cell {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
@@ -73,7 +73,7 @@ class Search {
   struct Seen {
     std::vector<double> distance, point;
   };
-  /// Distances at these places, two numbers each.
+  /// \param uv  two numbers a place
   Seen at_places(const std::vector<double>& uv) const {
     Seen seen{{}, evaluate(surface_, uv)};
     const auto n = static_cast<Index>(uv.size()) / 2;
@@ -97,7 +97,7 @@ class Search {
       }
   }
 
-  /// The cells' middles and ends along the sides; what a side cell shows is part of its variation.
+  /// Measures the middles and ends of the cells along the sides. What a cell shows there counts in its differences.
   void look_at_sides() {
     side_.assign(static_cast<std::size_t>(n_u_ * n_v_), -1);
     std::vector<double> uv;
@@ -121,7 +121,7 @@ class Search {
     for (std::size_t k = 0; k < cell.size(); ++k) side_[cell[k]] = std::max(side_[cell[k]], seen.distance[k]);
   }
 
-  /// Every cell with data about it, with what it may hold by its neighbours.
+  /// The cells with data around them, with what they may hold by their neighbours.
   std::vector<Cell> first_cells() const {
     std::vector<double> bound(static_cast<std::size_t>(n_u_ * n_v_), -1);
     parallel_for(n_u_, [&](Index i) {
@@ -154,7 +154,7 @@ class Search {
     cells.resize(static_cast<std::size_t>(kMostCells / 4));
   }
 
-  /// Nine places of each cell, then its quarters with what they may hold.
+  /// Measures nine places of each cell, and gives its quarters with what they may hold.
   std::vector<Cell> quartered(const std::vector<Cell>& cells) {
     std::vector<double> uv;
     for (const Cell& c : cells)
@@ -174,7 +174,7 @@ class Search {
       const auto [low, high] = std::minmax_element(d, d + 9);
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) {
-          // The corners of the quarter, as places of the cell.
+          // The quarter's corners among the nine places.
           const int corner[4] = {3 * a + b, 3 * a + b + 1, 3 * a + b + 3, 3 * a + b + 4};
           double largest = 0, across = 0;
           for (const int p : corner) {

@@ -1,4 +1,4 @@
-// The largest distance of a surface from a mesh, between the samples of a grid too [METHOD 8.14].
+// The largest distance from a surface to a mesh, between the samples of a grid too [METHOD 8.14].
 #pragma once
 #include <span>
 #include <vector>
@@ -8,8 +8,8 @@
 #include "nearest/triangle_tree.h"
 namespace knotfit {
 
-/// Distances at the centres of the cells that cut the square, u.size() x v.size() of them; < 0: not measured, there is no
-/// data there.
+/// Distances at the centres of u.size() x v.size() cells that make up the square. Below 0: there is no data, and nothing
+/// was measured.
 struct DistanceGrid {
   std::span<const double> u, v;
   std::span<const double> distance;
@@ -22,11 +22,10 @@ struct LargestDistance {
   bool stopped = false;
 };
 
-/// Looks beyond the grid's samples: along the sides and at the corners of the square, and inside the cells that may hold
-/// more. A cell may hold at most its largest distance seen plus how much those seen in it differ, and no more than its
-/// size in space allows (a distance changes no faster than the place does); cells are quartered until none may hold 1 %
-/// more than the largest found. Beside places without data nothing is looked at.
-/// The same for any number of threads.
+/// Looks beyond the grid's samples: along the sides of the square, at its corners, and inside cells that may hold more. A
+/// cell may hold its largest distance seen plus the difference of those seen in it, or plus its size in space where that is
+/// less: a distance changes no faster than the place does. Such cells are quartered until none may hold 1 % more than the
+/// largest distance found. Cells beside places without data are left out. The same for any number of threads.
 LargestDistance largest_distance(const Surface& surface, const TriangleTree& tree, const DistanceGrid& grid,
                                  const Control& control);
 

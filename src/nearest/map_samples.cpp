@@ -15,7 +15,7 @@ std::vector<double> centred_places(const SpanTable& t, int per_span) {
 
 namespace {
 
-/// First grid line at or above x, from a guess by buckets.
+/// Finds the first grid line at or above a place: buckets give the first guess.
 class Lines {
  public:
   explicit Lines(const std::vector<double>& x) : x_(x), first_(x.front()) {
@@ -48,12 +48,12 @@ class Lines {
 }  // namespace
 
 MapSamples sample_map(const MapView& map, std::vector<double> u, std::vector<double> v) {
-  constexpr double rounding = 1e-12;  // of barycentric weights: no sample falls between two triangles
+  constexpr double rounding = 1e-12;  // of barycentric weights: a sample on an edge belongs to a triangle
   MapSamples r{std::move(u), std::move(v), {}};
   const Index nu = static_cast<Index>(r.u.size()), nv = static_cast<Index>(r.v.size());
   r.face.assign(static_cast<std::size_t>(nu * nv), -1);
   const Lines lines_u(r.u), lines_v(r.v);
-  // A thread takes a strip of the grid and every triangle that reaches it, in their order.
+  // Each thread takes a strip of the grid with all triangles that reach it, in their order.
   struct Range {
     std::int32_t face, u0, u1, v0, v1;
   };
@@ -99,6 +99,11 @@ MapSamples sample_map(const MapView& map, std::vector<double> u, std::vector<dou
   return r;
 }
 
+Vec3 MapView::normal(std::int32_t face) const {
+  const auto& t = faces[face];
+  return unit(cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]));
+}
+
 TriangleFrame triangle_frame(const MapView& map, std::int32_t face) {
   const auto& t = map.faces[face];
   const double *a = &map.uv[2 * t[0]], *b = &map.uv[2 * t[1]], *d = &map.uv[2 * t[2]];
@@ -110,7 +115,7 @@ TriangleFrame triangle_frame(const MapView& map, std::int32_t face) {
 
 std::vector<double> window_means(std::span<const double> rows, int width, std::span<const char> use,
                                  Index n_u, Index n_v, Index reach) {
-  // One direction after the other: sums over the window, the count as a last column.
+  // Sums over the window along v, then along u. The count is a last column.
   const int w = width + 1;
   std::vector<double> by_v(static_cast<std::size_t>(n_u * n_v * w), 0.0), result(rows.size(), 0.0);
   parallel_for(n_u, [&](Index i) {

@@ -8,8 +8,8 @@ namespace knotfit {
 namespace {
 
 constexpr int kLeast = 2, kMost = 32;
-/// Places tried for one point: beyond them the surface is equally near to within the margin, as at the centre
-/// of a sphere.
+/// Places tried for one point. Where there are more, the surface is equally near within the margin, as from the centre of
+/// a sphere.
 constexpr std::size_t kMostTries = 64;
 
 /// Bernstein coefficients on [-1,1] of t^k: row j of (n + 1)^2.
@@ -109,7 +109,7 @@ SurfaceTree::SurfaceTree(const CellPolynomials& surface) : surface_(surface) {
       };
       for (int i = 0; i <= nu; ++i)
         for (int j = 0; j <= nv; ++j) {
-          // The cell's own polynomial, also on its far sides: the surface may jump there.
+          // The surface may jump at the cell's far sides: its own polynomial counts there too.
           const double t = -1 + 2.0 * i / nu, s = -1 + 2.0 * j / nv;
           double value[3] = {};
           for (int k = p; k >= 0; --k) {
@@ -154,7 +154,7 @@ SurfaceTree::Closest SurfaceTree::closest(const Vec3& p, const double* start) co
   } else {
     from(tree_->nearest(p));
   }
-  // Every other place where the surface may be nearer, the nearest triangles first.
+  // Looks at all other places where the surface may be nearer, the nearest triangles first.
   struct Try {
     double distance;
     Index face;
@@ -174,7 +174,7 @@ SurfaceTree::Closest SurfaceTree::closest(const Vec3& p, const double* start) co
         });
   };
   collect();
-  if (start != nullptr && tries.size() > kMostTries) {  // lost
+  if (start != nullptr && tries.size() > kMostTries) {  // the start was far from the closest point
     from(tree_->nearest(p));
     distance = std::sqrt(best.squared);
     collect();
@@ -186,7 +186,7 @@ SurfaceTree::Closest SurfaceTree::closest(const Vec3& p, const double* start) co
   for (const Try& t : tries) {
     if (tried == kMostTries) break;
     const Patch& r = patches_[t.face / 2];
-    // The patch that the best lies on has been looked at from there.
+    // The search on the best's own patch ended at the best.
     if (!may_be_nearer(t) || (r.span_u == best_u && r.span_v == best_v && best.u >= r.u0 && best.u <= r.u1 &&
                               best.v >= r.v0 && best.v <= r.v1))
       continue;

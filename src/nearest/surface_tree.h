@@ -1,4 +1,4 @@
-// The closest point of a whole surface: triangles with a bound on how far the surface leaves them [METHOD 8.14].
+// The closest point of a whole surface, by triangles with a bound on the surface's distance from them [METHOD 8.14].
 #pragma once
 #include <optional>
 
@@ -8,8 +8,8 @@ namespace knotfit {
 
 class SurfaceTree {
  public:
-  /// Every cell in as many pairs of triangles as keep the surface within 1e-4 of its own diagonal of them
-  /// (2 x 2 to 32 x 32 a cell).
+  /// Cuts every cell into 2 x 2 to 32 x 32 pairs of triangles: as many as keep the surface near them, within 1e-4 of its
+  /// diagonal.
   explicit SurfaceTree(const CellPolynomials& surface);
 
   struct Closest {
@@ -20,13 +20,13 @@ class SurfaceTree {
 
  private:
   struct Patch {
-    double u0, u1, v0, v1;  ///< the rectangle whose half the triangle is
+    double u0, u1, v0, v1;  ///< a rectangle; each of its halves is a triangle
     Index span_u, span_v;
-    double margin;  ///< the surface over it is no farther from the triangle
+    double margin;  ///< the surface over a triangle is at most so far from it
   };
   const CellPolynomials& surface_;
   std::vector<Patch> patches_;  ///< two triangles each
-  double margin_ = 0;           ///< the largest
+  double margin_ = 0;           ///< the largest of theirs
   std::optional<TriangleTree> tree_;
 };
 

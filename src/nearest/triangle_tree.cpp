@@ -115,17 +115,8 @@ TriangleHit TriangleTree::nearest(const Vec3& p, Index hint) const {
     if (d < hit.squared || (d == hit.squared && order_[place] < hit.face)) hit = {d, order_[place], w};
   };
   if (hint >= 0) look(place_[hint]);
-  std::array<std::int32_t, 128> stack;
-  int top = 0;
-  stack[top++] = 0;
-  while (top > 0) {
-    const Node& node = nodes_[stack[--top]];
-    if (box_distance(node, p) > hit.squared) continue;
-    if (node.count > 0)
-      for (std::int32_t k = node.first; k < node.first + node.count; ++k) look(k);
-    else
-      push_both(node, p, stack, top);
-  }
+  walk(
+      p, [&] { return hit.squared; }, look);
   return hit;
 }
 

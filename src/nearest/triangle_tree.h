@@ -25,33 +25,26 @@ class TriangleTree {
   /// \param vertices  n x 3   \param faces  at least one
   TriangleTree(std::span<const double> vertices, Faces faces);
 
-  /// The closest triangle; of equally near ones any, but always the same.
-  /// \param hint  a face near p, to begin with; -1: none
+  /// The closest triangle. Among equally near ones it is always the same.
+  /// \param hint  a face near p, looked at first; -1: none
   TriangleHit nearest(const Vec3& p, Index hint = -1) const;
 
-  /// Calls visit(face, squared distance) for every triangle whose distance is at most the bound. \param bound
-  /// a function, asked again and again as it may shrink: the distance (not squared) still of interest
+  /// Calls visit(face, squared distance) for every triangle at most bound() away. \param bound  a function, asked again
+  /// and again: it may shrink
   template <class Bound, class Visit>
   void within(const Vec3& p, const Bound& bound, const Visit& visit) const {
-    std::array<std::int32_t, 128> stack;
-    int top = 0;
-    stack[top++] = 0;
-    while (top > 0) {
-      const Node& node = nodes_[stack[--top]];
+    const auto most = [&] {
       const double far = bound();
-      if (box_distance(node, p) > far * far) continue;
-      if (node.count > 0) {
-        for (std::int32_t k = node.first; k < node.first + node.count; ++k) visit(order_[k], distance(k, p));
-        continue;
-      }
-      push_both(node, p, stack, top);
-    }
+      return far * far;
+    };
+    walk(p, most, [&](std::int32_t place) { visit(order_[place], distance(place, p)); });
   }
 
  private:
   struct Node {
     double low[3], high[3];
-    std::int32_t first = 0, count = 0;  ///< leaf: triangles; else count 0, first the right child
+    std::int32_t first = 0,
+                 count = 0;  ///< of a leaf: its triangles; else count is 0, and first the right child
   };
   struct Corners {
     Vec3 a, b, c;
@@ -62,15 +55,24 @@ class TriangleTree {
     const double z = std::max({n.low[2] - p.z, 0.0, p.z - n.high[2]});
     return x * x + y * y + z * z;
   }
-  template <class Stack>
-  void push_both(const Node& node, const Vec3& p, Stack& stack, int& top) const {
-    const auto left = static_cast<std::int32_t>(&node - nodes_.data()) + 1, right = node.first;
-    if (box_distance(nodes_[left], p) <= box_distance(nodes_[right], p)) {
-      stack[top++] = right;
-      stack[top++] = left;
-    } else {
-      stack[top++] = left;
-      stack[top++] = right;
+  /// Calls leaf(place) for the triangles of all boxes whose squared distance is at most most(), the nearer box first.
+  template <class Most, class Leaf>
+  void walk(const Vec3& p, const Most& most, const Leaf& leaf) const {
+    std::array<std::int32_t, 128> stack;
+    int top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+      const auto number = stack[--top];
+      const Node& node = nodes_[number];
+      if (box_distance(node, p) > most()) continue;
+      if (node.count > 0) {
+        for (std::int32_t k = node.first; k < node.first + node.count; ++k) leaf(k);
+        continue;
+      }
+      const auto left = number + 1, right = node.first;
+      const bool left_first = box_distance(nodes_[left], p) <= box_distance(nodes_[right], p);
+      stack[top++] = left_first ? right : left;
+      stack[top++] = left_first ? left : right;
     }
   }
   double distance(std::int32_t place, const Vec3& p) const;

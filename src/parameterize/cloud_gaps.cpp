@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "data/orientation.h"
 #include "parameterize/cloud_neighbours.h"
 namespace knotfit::cloud {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kLarge = 0.6;  // of its empty circle an opening is at least
 using Point = std::array<double, 2>;
 
 double cross(const Point& a, const Point& b, const Point& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  return twice_area(a.data(), b.data(), c.data());
 }
 
 /// Middle of the circle through three places.
@@ -135,31 +136,20 @@ std::vector<double> circle_radii(std::span<const std::array<std::int32_t, 3>> tr
 
 Spacing::Spacing(std::span<const std::array<std::int32_t, 3>> triangle, std::vector<double> radius,
                  Index vertices)
-    : triangle_(triangle), radius_(std::move(radius)), begin_(static_cast<std::size_t>(vertices) + 1, 0) {
-  for (const auto& t : triangle)
-    for (const std::int32_t k : t) ++begin_[static_cast<std::size_t>(k) + 1];
-  for (std::size_t k = 0; k + 1 < begin_.size(); ++k) begin_[k + 1] += begin_[k];
-  around_.resize(3 * triangle.size());
-  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t f = 0; f < triangle.size(); ++f)
-    for (const std::int32_t k : triangle[f]) around_[next[k]++] = f;
-}
+    : triangle_(triangle), radius_(std::move(radius)), stars_(triangle, vertices) {}
 
 double Spacing::at(std::int32_t vertex) const {
-  const auto of = [&](std::int32_t k) {
-    return std::span<const std::size_t>(around_).subspan(begin_[k], begin_[k + 1] - begin_[k]);
-  };
-  std::vector<std::size_t> faces;
-  for (const std::size_t f : of(vertex))
+  std::vector<std::int32_t> faces;
+  for (const std::int32_t f : stars_.of(vertex))
     for (const std::int32_t k : triangle_[f]) {
-      const auto more = of(k);
+      const auto more = stars_.of(k);
       faces.insert(faces.end(), more.begin(), more.end());
     }
   if (faces.empty()) return INFINITY;
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   std::vector<double> radii;
-  for (const std::size_t f : faces) radii.push_back(radius_[f]);
+  for (const std::int32_t f : faces) radii.push_back(radius_[f]);
   const auto half = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), half, radii.end());
   return *half;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "data/vertex_stars.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/mesh.h"
 #include "knotfit/openings.h"
@@ -33,7 +34,7 @@ class Spacing {
  private:
   std::span<const std::array<std::int32_t, 3>> triangle_;
   std::vector<double> radius_;
-  std::vector<std::size_t> begin_, around_;
+  VertexStars stars_;
 };
 
 /// Radius of the circle through the corners of each triangle. \param at  vertices, `dimension` coordinates each (2 or 3)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "data/mesh_data.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize_mesh.h"
 namespace knotfit {
@@ -97,9 +98,7 @@ class LineTracer {
 }  // namespace
 
 std::vector<Polyline> parameter_lines(const Mesh& mesh, const std::vector<double>& uv, int count) {
-  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  require_parameters(mesh, uv);
   if (count < 1)
     throw InvalidInput(fmt::format("{} parts between parameter lines: ask for at least 1", count));
   const LineTracer tracer(mesh, uv);

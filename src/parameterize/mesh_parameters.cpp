@@ -8,7 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "data/mesh_data.h"
 #include "data/mesh_topology.h"
+#include "data/orientation.h"
 #include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
@@ -21,10 +23,6 @@ constexpr Index kMostTests = 256;    // of pairs a triangle, on average
 
 using Place = std::array<double, 2>;
 using Triangle = std::array<Place, 3>;
-
-double cross(const Place& a, const Place& b, const Place& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
 
 double longest_side(const Triangle& t) {
   double longest = 0;
@@ -150,7 +148,7 @@ class Checker {
  public:
   explicit Checker(const Mesh& mesh) : mesh_(mesh), used_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
     for (Index f = 0; f < mesh.face_count(); ++f) {
-      if (!mesh.virtual_face.empty() && mesh.virtual_face[f]) continue;
+      if (!is_data(mesh, f)) continue;
       for (const std::int32_t v : mesh.faces[f]) used_[v] = 1;
       if (!is_degenerate(mesh, f)) faces_.push_back(f);
     }
@@ -231,7 +229,8 @@ class Checker {
       if (length > longest) longest = length, to = at(v);
     }
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (used_[v] && std::abs(cross(from, to, at(v))) > 10 * kRounding * longest) return "";
+      if (used_[v] && std::abs(twice_area(from.data(), to.data(), at(v).data())) > 10 * kRounding * longest)
+        return "";
     return "they lie on a line";
   }
 
@@ -240,7 +239,8 @@ class Checker {
     double area = 0, flat_area = 0;
     for (std::size_t k = 0; k < triangles_.size(); ++k) {
       const Triangle& t = triangles_[k];
-      const double doubled = cross(t[0], t[1], t[2]), own = face_area(mesh_, faces_[k]);
+      const double doubled = twice_area(t[0].data(), t[1].data(), t[2].data()),
+                   own = face_area(mesh_, faces_[k]);
       area += own;
       if (std::abs(doubled) <= kRounding * longest_side(t))
         ++flat, flat_area += own;

@@ -1,17 +1,13 @@
 #include <fmt/format.h>
 
+#include "data/mesh_data.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize_mesh.h"
 namespace knotfit {
 
 ParameterizedPoints mesh_points(const Mesh& mesh, const std::vector<double>& uv) {
-  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
-  std::vector<char> measured(static_cast<std::size_t>(mesh.vertex_count()), 0);
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (mesh.virtual_face.empty() || !mesh.virtual_face[f])
-      for (const std::int32_t i : mesh.faces[f]) measured[i] = 1;
+  require_parameters(mesh, uv);
+  const std::vector<char> measured = data_vertices(mesh);
   ParameterizedPoints points;
   points.dimension = 3;
   for (Index k = 0; k < mesh.vertex_count(); ++k) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "data/mesh_data.h"
 #include "data/orientation.h"
 #include "knotfit/exceptions.h"
 #include "parameterize/mesh_rest.h"
@@ -47,9 +48,7 @@ MapQuality measure_quality(const DiskMesh& disk, std::span<const double> uv) {
 namespace {
 
 void check_map(const Mesh& mesh, const std::vector<double>& uv) {
-  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  require_parameters(mesh, uv);
   if (mesh.faces.empty()) throw InvalidInput("the mesh has no faces to measure a map on");
   for (std::size_t k = 0; k < uv.size(); ++k)
     if (!std::isfinite(uv[k]))

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "data/orientation.h"
 #include "knotfit/exceptions.h"
 namespace knotfit {
 namespace {
@@ -16,8 +17,7 @@ double length_between(const Mesh& mesh, std::int32_t a, std::int32_t b) {
 }
 
 double area_of(std::span<const double> uv, const std::array<std::int32_t, 3>& t) {
-  const double *a = &uv[2 * t[0]], *b = &uv[2 * t[1]], *c = &uv[2 * t[2]];
-  return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+  return std::abs(twice_area(uv, t)) / 2;
 }
 
 void check_corners(const Mesh& mesh) {

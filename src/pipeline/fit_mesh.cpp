@@ -134,24 +134,22 @@ void search(MeshFit& fit, const Mesh& mesh, const MeshMap& map, const FitOptions
   if (how.aspect == 0) how.aspect = map.quality.aspect;
   how.data_vertices = mesh.vertex_count();
   const Mesh halved = halve_edges(mesh, map.halved_edges);
-  const correction::CorrectionWork work(halved, map.all_uv(), how);
+  const correction::PreparedMesh prepared(halved, map.all_uv(), how);
   Request request = make_request(options.tolerance, has_size_or_knots(options), fit.points,
-                                 Frame(fit.points).rounding(), work.frame().diagonal);
+                                 Frame(fit.points).rounding(), prepared.frame().scale());
   r.diagonal = request.diagonal;
   r.asked = request.asked;
   r.tolerance = request.asked.value;
   if (!request.with_tolerance()) request.inside.measure = ErrorMeasure::rms;
-  MeshSearch found = request.searched ? search_mesh_sizes(work, options, request.inside, control)
-                                      : fit_mesh_size(work, options, options.control_points_u,
+  MeshSearch found = request.searched ? search_mesh_sizes(prepared, options, request.inside, control)
+                                      : fit_mesh_size(prepared, options, options.control_points_u,
                                                       options.control_points_v, request.inside, control);
   r.status = found.status;
   r.tried = std::move(found.tried);
   r.method = found.method;
   r.fits = found.fits;
   fit.correction = std::move(found.correction);
-  for (std::vector<double>* x : {&fit.correction.uv, &fit.correction.foot_points})
-    x->resize(static_cast<std::size_t>(2 * mesh.vertex_count()));
-  fit.correction.signed_distances.resize(static_cast<std::size_t>(mesh.vertex_count()));
+  correction::keep_first(mesh.vertex_count(), fit.correction);
 }
 
 }  // namespace

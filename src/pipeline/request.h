@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "fit/frame.h"
 #include "knotfit/fit_surface.h"
-#include "pipeline/frame.h"
 namespace knotfit {
 
 /// \throws InvalidInput  points that no surface runs through: all equal, on one line, of one parameter; fewer

@@ -3,39 +3,13 @@
 #include <array>
 
 #include "base/parallel.h"
+#include "fit/knot_basis.h"
 #include "fit/knot_jacobian.h"
 #include "place/knot_spacings.h"
 namespace knotfit {
 namespace {
 
 constexpr int kWidth = kMaxDegree + 1;
-
-/// One direction at one parameter: the functions alive there, and their derivatives by the knots around.
-struct Local {
-  Index span = 0;
-  std::array<double, kWidth> basis{};
-  std::array<double, 2 * kMaxDegree * kWidth> by_knot{};  ///< knot e of its span, function i
-
-  void set(const Axis& axis, const std::vector<double>& derivatives, double t) {
-    const int w = axis.width(), m = axis.degree();
-    span = axis.span(t);
-    std::array<double, kWidth + 1> p{};
-    legendre_values(axis.local(span, t), std::max(2, w), p.data());
-    basis.fill(0);
-    const double* b = axis.basis(span);
-    for (int a = 0; a < w; ++a)
-      for (int i = 0; i < w; ++i) basis[i] += b[a * w + i] * p[a];
-    if (derivatives.empty()) return;
-    for (int e = 0; e < 2 * m; ++e) {
-      const double* d = derivatives.data() + (span * 2 * m + e) * w * w;
-      for (int i = 0; i < w; ++i) {
-        double sum = 0;
-        for (int a = 0; a < w; ++a) sum += d[a * w + i] * p[a];
-        by_knot[e * w + i] = sum;
-      }
-    }
-  }
-};
 
 void add(std::vector<double>& a, const std::vector<double>& b) {
   if (a.empty()) a.resize(b.size());
@@ -67,7 +41,7 @@ FreeNet free_net(const ParameterizedPoints& points, const Axis& u, const Axis& v
     FreeNet part;
     part.by_net.assign(net.size(), 0.0);
     if (with_knots) part.by_knots.assign(knots_u + knots_v, 0.0);
-    Local a, b;
+    KnotBasis a, b;
     std::vector<double> residual(d);
     std::array<double, kWidth> along_u{}, along_v{};  // r . (row of the net times the other basis)
     for (Index k = begin; k < end; ++k) {
@@ -77,14 +51,14 @@ FreeNet free_net(const ParameterizedPoints& points, const Axis& u, const Axis& v
       for (int e = 0; e < d; ++e) residual[e] = -points.value(k)[e];
       for (int i = 0; i < wu; ++i)
         for (int j = 0; j < wv; ++j)
-          for (int e = 0; e < d; ++e) residual[e] += a.basis[i] * b.basis[j] * block[(i * nv + j) * d + e];
+          for (int e = 0; e < d; ++e) residual[e] += a.value[i] * b.value[j] * block[(i * nv + j) * d + e];
       const double w = points.weight(k);
       for (int e = 0; e < d; ++e) part.phi += w * residual[e] * residual[e];
       double* out = part.by_net.data() + (a.span * nv + b.span) * d;
       for (int i = 0; i < wu; ++i)
         for (int j = 0; j < wv; ++j)
           for (int e = 0; e < d; ++e)
-            out[(i * nv + j) * d + e] += 2 * w * a.basis[i] * b.basis[j] * residual[e];
+            out[(i * nv + j) * d + e] += 2 * w * a.value[i] * b.value[j] * residual[e];
       if (!with_knots) continue;
       along_u.fill(0);
       along_v.fill(0);
@@ -92,17 +66,17 @@ FreeNet free_net(const ParameterizedPoints& points, const Axis& u, const Axis& v
         for (int j = 0; j < wv; ++j) {
           double dot = 0;
           for (int e = 0; e < d; ++e) dot += residual[e] * block[(i * nv + j) * d + e];
-          along_u[i] += b.basis[j] * dot;
-          along_v[j] += a.basis[i] * dot;
+          along_u[i] += b.value[j] * dot;
+          along_v[j] += a.value[i] * dot;
         }
-      const auto gather = [&](const Local& at, const std::array<double, kWidth>& along, int width,
+      const auto gather = [&](const KnotBasis& at, const std::array<double, kWidth>& along, int width,
                               Index count, double* by) {
         const int m = width - 1;
         for (int e = 0; e < 2 * m; ++e) {
           const Index l = at.span - m + e;
           if (l < 0 || l >= count) continue;
           double sum = 0;
-          for (int i = 0; i < width; ++i) sum += at.by_knot[e * width + i] * along[i];
+          for (int i = 0; i < width; ++i) sum += at.by_knot[e][i] * along[i];
           by[l] += 2 * w * sum;
         }
       };

@@ -9,7 +9,7 @@
 namespace knotfit {
 namespace {
 
-using correction::Rounds;
+using correction::CorrectionRun;
 
 constexpr double kGrow = 1.4, kStep = 1.05;  // of the product of the spans, coarse and fine
 constexpr long kMostRounds = 6000;
@@ -73,19 +73,19 @@ std::string name_of(MeshKnots knots) {
 
 }  // namespace
 
-MeshSearch search_mesh_sizes(const correction::CorrectionWork& work, const SearchOptions& options,
+MeshSearch search_mesh_sizes(const correction::PreparedMesh& prepared, const SearchOptions& options,
                              const Tolerance& tolerance, const Control& control) {
   SearchRun run(control, tolerance, options.max_fits > 0 ? options.max_fits : kMostRounds,
-                work.frame().diagonal);
-  MeshSizes sizes(work, options, run, control);
+                prepared.frame().scale());
+  MeshSizes sizes(prepared, options, run, control);
   const Index most = options.max_control_points > 0 ? options.max_control_points
-                                                    : std::min(work.data() / 2, kMostControlPoints);
+                                                    : std::min(prepared.data() / 2, kMostControlPoints);
   const bool limited = options.max_control_points > 0 || most == kMostControlPoints;
   MeshPath path(sizes,
-                std::clamp(options.span_ratio > 0 ? options.span_ratio : work.options().aspect, 0.2, 5.0),
+                std::clamp(options.span_ratio > 0 ? options.span_ratio : prepared.options().aspect, 0.2, 5.0),
                 most, limited ? Status::limit_reached : Status::data_too_sparse);
   const Status status = path.grow();
-  if (status == Status::reached && work.options().fairness > 0 && !sizes.interrupted()) sizes.make_fair();
+  if (status == Status::reached && prepared.options().fairness > 0 && !sizes.interrupted()) sizes.make_fair();
   MeshSearch found;
   found.correction = sizes.result();
   found.status = run.cut_or(status);
@@ -96,21 +96,21 @@ MeshSearch search_mesh_sizes(const correction::CorrectionWork& work, const Searc
   return found;
 }
 
-MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const SearchOptions& options, int size_u,
+MeshSearch fit_mesh_size(const correction::PreparedMesh& prepared, const SearchOptions& options, int size_u,
                          int size_v, const Tolerance& tolerance, const Control& control) {
   constexpr int kAnew = 2, kSteps = 12;
-  const MeshRounds rounds(work, options.degree_u, options.degree_v, tolerance, control, false);
-  const int all = work.options().rounds;
+  const MeshRounds rounds(prepared, options.degree_u, options.degree_v, tolerance, control, false);
+  const int all = prepared.options().rounds;
   const InteriorKnots uniform{uniform_knots(size_u - options.degree_u - 1),
                               uniform_knots(size_v - options.degree_v - 1)};
   // Moved knots may gain distance by a fold: the last stage that does not fold counts, else the one that does least.
-  std::vector<Rounds> stages{rounds.correct(work.first(), uniform, nullptr, all)};
-  const auto add = [&](Rounds next) {
+  std::vector<CorrectionRun> stages{rounds.correct(prepared.first(), uniform, nullptr, all)};
+  const auto add = [&](CorrectionRun next) {
     if (next.rounds.size() > stages.back().rounds.size()) stages.push_back(std::move(next));
   };
   const MeshKnots knots = placement_method(options.method).traits.on_mesh;
   if (knots == MeshKnots::anew || knots == MeshKnots::moved) {
-    Rounds best = stages.back();
+    CorrectionRun best = stages.back();
     for (int k = 0; k < kAnew; ++k) best = rounds.with_knots_anew(std::move(best), (all + 1) / 2);
     add(std::move(best));
   }
@@ -119,7 +119,7 @@ MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const SearchOpt
   for (std::size_t k = stages.size(); k-- > 0;) {
     const bool first = k + 1 == stages.size();
     if (tolerance.value > 0) stages[k] = rounds.polished(std::move(stages[k]));
-    CorrectionResult result = work.finish(stages[k], false, control);
+    CorrectionResult result = prepared.finish(stages[k], false, control);
     if (first || result.folds.blurred < found.correction.folds.blurred) found.correction = std::move(result);
     if (!folds_over(found.correction.folds) || control.stop.stop_requested()) break;
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "correct/work.h"
+#include "correct/prepared_mesh.h"
 #include "knotfit/refine.h"
 namespace knotfit {
 
@@ -19,13 +19,13 @@ struct MeshSearch {
 /// The fewest control points that hold the tolerance without folds. Sizes grow by two fifths; then, from the last
 /// that failed, by a twentieth to the first that holds. The path from size to size does not depend on the
 /// tolerance, so that a looser one does not ask for more.
-/// \param tolerance  in the frame of the work
-MeshSearch search_mesh_sizes(const correction::CorrectionWork& work, const SearchOptions& options,
+/// \param tolerance  in the frame of the mesh
+MeshSearch search_mesh_sizes(const correction::PreparedMesh& prepared, const SearchOptions& options,
                              const Tolerance& tolerance, const Control& control);
 
 /// A fixed size: corrected on uniform knots, then on those of the error model on that surface, then with the knots
 /// optimised too, as far as the method asks; each kept only where the error falls.
-MeshSearch fit_mesh_size(const correction::CorrectionWork& work, const SearchOptions& options, int size_u,
+MeshSearch fit_mesh_size(const correction::PreparedMesh& prepared, const SearchOptions& options, int size_u,
                          int size_v, const Tolerance& tolerance, const Control& control);
 
 }  // namespace knotfit

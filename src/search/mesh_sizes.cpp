@@ -5,7 +5,7 @@
 #include "place/shares.h"
 namespace knotfit {
 
-using correction::Rounds;
+using correction::CorrectionRun;
 
 namespace {
 
@@ -14,15 +14,15 @@ constexpr int kKnotSteps = 4;
 
 }  // namespace
 
-MeshSizes::MeshSizes(const correction::CorrectionWork& work, const SearchOptions& options, SearchRun& run,
+MeshSizes::MeshSizes(const correction::PreparedMesh& prepared, const SearchOptions& options, SearchRun& run,
                      const Control& control)
-    : work_(work),
+    : prepared_(prepared),
       options_(options),
       control_(control),
       run_(run),
       knots_(placement_method(options.method).traits.on_mesh),
-      rounds_of_(work, options.degree_u, options.degree_v, run.tolerance(), control, true),
-      rounds_(std::max(1, work.options().rounds * 2 / 5)) {}
+      rounds_of_(prepared, options.degree_u, options.degree_v, run.tolerance(), control, true),
+      rounds_(std::max(1, prepared.options().rounds * 2 / 5)) {}
 
 InteriorKnots MeshSizes::uniform(const Spans& s) {
   return {uniform_knots(s.first - 1), uniform_knots(s.second - 1)};
@@ -31,8 +31,8 @@ InteriorKnots MeshSizes::uniform(const Spans& s) {
 // On uniform knots first: the path from size to size is the same for every tolerance.
 const SizeOutcome& MeshSizes::solve(const Spans& spans, const Spans* from) {
   const Surface* start = from && failed_ && failed_->rounds.surface ? &*failed_->rounds.surface : nullptr;
-  State now{spans,
-            rounds_of_.correct(start ? failed_->rounds.uv : work_.first(), uniform(spans), start, rounds_)};
+  State now{spans, rounds_of_.correct(start ? failed_->rounds.uv : prepared_.first(), uniform(spans), start,
+                                      rounds_)};
   SizeOutcome& outcome = outcomes_[spans];
   outcome.tries = 1;
   outcome.holds = settle(now);
@@ -40,18 +40,18 @@ const SizeOutcome& MeshSizes::solve(const Spans& spans, const Spans* from) {
   return outcome;
 }
 
-bool MeshSizes::near(const Rounds& r) const {
+bool MeshSizes::near(const CorrectionRun& r) const {
   return r.surface && r.error <= kNear * run_.tolerance().value && !interrupted();
 }
 
-Rounds MeshSizes::polished(Rounds base) const {
+CorrectionRun MeshSizes::polished(CorrectionRun base) const {
   return near(base) ? rounds_of_.polished(std::move(base)) : std::move(base);
 }
 
 MeshSizes::Verdict MeshSizes::verify(State& state) {
   if (!rounds_of_.meets(state.rounds)) return Verdict::misses;
-  CorrectionResult result = work_.finish(state.rounds, false, control_);
-  const double error = work_.error(result, run_.tolerance());
+  CorrectionResult result = prepared_.finish(state.rounds, false, control_);
+  const double error = prepared_.error(result, run_.tolerance());
   state.rounds.error = std::min(state.rounds.error, error);
   if (!run_.holds(error)) return Verdict::misses;
   const bool holds = !folds_over(result.folds);
@@ -63,11 +63,11 @@ MeshSizes::Verdict MeshSizes::verify(State& state) {
 
 bool MeshSizes::settle(const State& state) {
   State last{state.spans, polished(state.rounds)};
-  Rounds moved = state.rounds;
-  const auto improve = [&](Rounds next) {
+  CorrectionRun moved = state.rounds;
+  const auto improve = [&](CorrectionRun next) {
     moved = std::move(next);
-    Rounds polish = polished(moved);
-    if (polish.merit() < last.rounds.merit()) last.rounds = std::move(polish);
+    CorrectionRun polish = polished(moved);
+    if (polish.penalised_error() < last.rounds.penalised_error()) last.rounds = std::move(polish);
   };
   const auto may_improve = [&] { return !rounds_of_.meets(last.rounds) && near(state.rounds); };
   if (knots_ != MeshKnots::uniform && may_improve()) improve(rounds_of_.with_knots_anew(moved, rounds_));
@@ -76,13 +76,13 @@ bool MeshSizes::settle(const State& state) {
   Verdict verdict = verify(last);
   if (verdict == Verdict::folds && !interrupted()) {
     // The folds may have come with the parameters of smaller sizes.
-    State anew{state.spans, polished(rounds_of_.correct(work_.first(), uniform(state.spans), nullptr,
-                                                        work_.options().rounds))};
+    State anew{state.spans, polished(rounds_of_.correct(prepared_.first(), uniform(state.spans), nullptr,
+                                                        prepared_.options().rounds))};
     verdict = verify(anew);
     if (verdict == Verdict::holds) last = std::move(anew);
   }
   const bool holds = verdict == Verdict::holds;
-  if (!best_.rounds.surface || last.rounds.merit() < best_.rounds.merit()) best_ = last;
+  if (!best_.rounds.surface || last.rounds.penalised_error() < best_.rounds.penalised_error()) best_ = last;
   const int size_u = state.spans.first + options_.degree_u, size_v = state.spans.second + options_.degree_v;
   outcomes_[state.spans].error = last.rounds.error;
   run_.list(size_u, size_v, last.rounds.error, holds);
@@ -91,16 +91,16 @@ bool MeshSizes::settle(const State& state) {
 }
 
 void MeshSizes::make_fair() {
-  Rounds fair = rounds_of_.faired(held_);
+  CorrectionRun fair = rounds_of_.faired(held_);
   if (!rounds_of_.meets(fair)) return;
-  CorrectionResult result = work_.finish(std::move(fair), false, control_);
-  if (run_.holds(work_.error(result, run_.tolerance())) && !folds_over(result.folds) &&
+  CorrectionResult result = prepared_.finish(std::move(fair), false, control_);
+  if (run_.holds(prepared_.error(result, run_.tolerance())) && !folds_over(result.folds) &&
       result.folds.normal_angle < verified_->folds.normal_angle)
     verified_ = std::move(result);
 }
 
 CorrectionResult MeshSizes::result() {
-  return verified_ ? std::move(*verified_) : work_.finish(best_.rounds, false, control_);
+  return verified_ ? std::move(*verified_) : prepared_.finish(best_.rounds, false, control_);
 }
 
 }  // namespace knotfit

@@ -10,8 +10,8 @@ namespace knotfit {
 
 class MeshSizes final : public SizeSolver {
  public:
-  /// \param run  its tolerance is in the frame of the work
-  MeshSizes(const correction::CorrectionWork& work, const SearchOptions& options, SearchRun& run,
+  /// \param run  its tolerance is in the frame of the mesh
+  MeshSizes(const correction::PreparedMesh& prepared, const SearchOptions& options, SearchRun& run,
             const Control& control);
 
   /// \param from  the size that failed last, whose surface and parameters this one begins with; null: from the map
@@ -33,20 +33,20 @@ class MeshSizes final : public SizeSolver {
  private:
   struct State {
     Spans spans{};
-    correction::Rounds rounds;
+    correction::CorrectionRun rounds;
   };
   enum class Verdict { misses, folds, holds };
 
   static InteriorKnots uniform(const Spans& s);
-  bool near(const correction::Rounds& r) const;
-  correction::Rounds polished(correction::Rounds base) const;
+  bool near(const correction::CorrectionRun& r) const;
+  correction::CorrectionRun polished(correction::CorrectionRun base) const;
   /// Measured on the whole surface. One that only folds is kept until a larger one does not.
   Verdict verify(State& state);
   /// What a size may still gain, where the tolerance is near: first on its knots, then on others as far as the method moves
   /// them. \return true where it holds, verified
   bool settle(const State& state);
 
-  const correction::CorrectionWork& work_;
+  const correction::PreparedMesh& prepared_;
   const SearchOptions& options_;
   const Control& control_;
   SearchRun& run_;
@@ -54,8 +54,8 @@ class MeshSizes final : public SizeSolver {
   MeshRounds rounds_of_;
   int rounds_;
   State best_;
-  std::optional<State> failed_;  ///< the last that failed: the next size begins with it
-  correction::Rounds held_;      ///< of the size that holds
+  std::optional<State> failed_;     ///< the last that failed: the next size begins with it
+  correction::CorrectionRun held_;  ///< of the size that holds
   std::optional<CorrectionResult> verified_;
   Index folded_ = 0;
 };

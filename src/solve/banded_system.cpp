@@ -7,6 +7,7 @@
 
 #include "solve/cell_energy.h"
 #include "solve/degrees.h"
+#include "solve/gram_entries.h"
 #include "solve/point_kernels.h"
 #include "solve/spans_in_turn.h"
 #include "solve/thin_plate.h"
@@ -90,17 +91,8 @@ bool BandedSystem::factor(const Axis& u, const Axis& v, double relative_smoothin
         const ConstMap<np, q> pi(inner.products(r), inner.pairs(), inner.moments());
         half.noalias() = po.lazyProduct(mom);
         gram.noalias() = half.lazyProduct(pi.transpose());
-        int row = 0;
-        for (int i = 0; i < wo; ++i)
-          for (int i2 = 0; i2 <= i; ++i2, ++row) {
-            int column = 0;
-            const Index at = (s + i) * ni + r, at2 = (s + i2) * ni + r;
-            for (int j = 0; j < wi; ++j)
-              for (int j2 = 0; j2 <= j; ++j2, ++column) {
-                matrix_.add(at + j, at2 + j2, gram(row, column));
-                if (i != i2 && j != j2) matrix_.add(at + j2, at2 + j, gram(row, column));
-              }
-          }
+        each_gram_entry({s, r, wo, wi, ni},
+                        [&](Index x, Index y, int row, int column) { matrix_.add(x, y, gram(row, column)); });
         const ConstMap<w, w> bi(inner.basis(r), wi, wi);
         for (int e = 0; e < d; ++e) {
           const ConstMap<w, w> x(m + matrix_size + e * wo * wi, wo, wi);
@@ -119,19 +111,11 @@ bool BandedSystem::factor(const Axis& u, const Axis& v, double relative_smoothin
 
 void BandedSystem::add_smoothing(double relative) {
   const EnergyGrams o(*outer_), i(*inner_);
-  const int wo = outer_->width(), wi = inner_->width();
-  const Index no = outer_->functions(), ni = inner_->functions();
   const double trace_energy = energy_trace(o, i);
   smoothing_ = trace_energy > 0 ? relative * matrix_.trace() / trace_energy : 0;
   if (smoothing_ == 0) return;
-  for (Index a = 0; a < no; ++a)
-    for (int k = 0; k < std::min<Index>(wo, a + 1); ++k)
-      for (Index b = 0; b < ni; ++b)
-        for (Index c = std::max<Index>(0, b - wi + 1); c < std::min(ni, b + wi); ++c) {
-          if (k == 0 && c > b) continue;
-          const Index g = c <= b ? b * wi + (b - c) : c * wi + (c - b);
-          matrix_.add(a * ni + b, (a - k) * ni + c, smoothing_ * energy_entry(o, i, a * wo + k, g));
-        }
+  each_energy_entry(
+      o, i, [&](Index row, Index column, double entry) { matrix_.add(row, column, smoothing_ * entry); });
 }
 
 std::vector<double> BandedSystem::project(bool residual) {

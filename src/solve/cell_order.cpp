@@ -3,49 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counting_sort.h"
 #include "base/narrow.h"
 namespace knotfit {
-namespace {
-
-constexpr Index kBlocks = 16;  // histograms of a counting sort: fixed, whatever the threads
-
-/// Stable counting sort: position of every item by its key in [0, keys).
-std::vector<Index> counting_sort(const std::vector<std::int32_t>& key, Index keys,
-                                 std::vector<std::int32_t>& order) {
-  const Index n = static_cast<Index>(key.size());
-  const Index blocks = std::clamp<Index>(n / kChunk, 1, kBlocks), block = (n + blocks - 1) / blocks;
-  std::vector<Index> start(keys + 1, 0);
-  std::vector<std::vector<std::int32_t>> count(blocks);
-  parallel_chunks(
-      n,
-      [&](Index b, Index begin, Index end) {
-        count[b].assign(keys, 0);
-        for (Index k = begin; k < end; ++k) ++count[b][key[k]];
-      },
-      block);
-  Index sum = 0;
-  for (Index c = 0; c < keys; ++c) {
-    start[c] = sum;
-    for (auto& h : count) {
-      if (h.empty()) continue;
-      const std::int32_t here = h[c];
-      h[c] = static_cast<std::int32_t>(sum);
-      sum += here;
-    }
-  }
-  start[keys] = sum;
-  order.resize(n);
-  parallel_chunks(
-      n,
-      [&](Index b, Index begin, Index end) {
-        for (Index k = begin; k < end; ++k) order[count[b][key[k]]++] = static_cast<std::int32_t>(k);
-      },
-      block);
-  return start;
-}
-
-}  // namespace
-
 CellOrder::CellOrder(const ParameterizedPoints& points) : dimension_(points.dimension) {
   const Index n = points.size();
   narrow(n);

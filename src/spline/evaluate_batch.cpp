@@ -4,6 +4,8 @@
 #include <cstring>
 
 #include "base/clones.h"
+#include "base/counting_sort.h"
+#include "base/narrow.h"
 #include "base/parallel.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
@@ -25,28 +27,26 @@ struct Task {
 
 /// Points in the order of their knot cells, with their parameters clamped to the domain.
 struct SortedPoints {
-  std::vector<Index> order;  ///< point at each place
-  std::vector<Index> cell;   ///< its cell, span_u * size_v + span_v; -1 for a NaN
+  std::vector<std::int32_t> order;  ///< point at each place
+  std::vector<Index> cell;          ///< its cell, span_u * size_v + span_v; -1 for a NaN
   std::vector<double> uv;
 };
 
 SortedPoints sort_by_cell(const Surface& s, std::span<const double> uv) {
   const std::size_t n = uv.size() / 2;
-  std::vector<Index> cell(n), place(static_cast<std::size_t>(s.control_point_count()) + 2, 0);
-  for (std::size_t k = 0; k < n; ++k) {  // counting sort, NaN first
-    const double u = uv[2 * k], v = uv[2 * k + 1];
-    const bool nan = std::isnan(u) || std::isnan(v);
-    cell[k] = nan ? -1 : s.knots_u().find_span(u) * s.size_v() + s.knots_v().find_span(v);
-    ++place[cell[k] + 2];
-  }
-  for (std::size_t c = 2; c < place.size(); ++c) place[c] += place[c - 1];
-  SortedPoints sorted{std::vector<Index>(n), std::vector<Index>(n), std::vector<double>(2 * n)};
+  std::vector<std::int32_t> key(n);  // 0: a NaN
   for (std::size_t k = 0; k < n; ++k) {
-    const Index to = place[cell[k] + 1]++;
-    sorted.order[to] = static_cast<Index>(k);
-    sorted.cell[to] = cell[k];
-    sorted.uv[2 * to] = clamp_to_domain(s.knots_u(), uv[2 * k]);
-    sorted.uv[2 * to + 1] = clamp_to_domain(s.knots_v(), uv[2 * k + 1]);
+    const double u = uv[2 * k], v = uv[2 * k + 1];
+    if (!std::isnan(u) && !std::isnan(v))
+      key[k] = narrow(1 + s.knots_u().find_span(u) * s.size_v() + s.knots_v().find_span(v));
+  }
+  SortedPoints sorted{{}, std::vector<Index>(n), std::vector<double>(2 * n)};
+  counting_sort(key, s.control_point_count() + 1, sorted.order);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::int32_t from = sorted.order[k];
+    sorted.cell[k] = key[from] - 1;
+    sorted.uv[2 * k] = clamp_to_domain(s.knots_u(), uv[2 * from]);
+    sorted.uv[2 * k + 1] = clamp_to_domain(s.knots_v(), uv[2 * from + 1]);
   }
   return sorted;
 }
@@ -93,13 +93,13 @@ void evaluate_sorted(const Task& task, std::span<const double> uv, double* resul
     Index next = k + 1;
     while (next < end && next - k < kLanes && sorted.cell[next] == cell) ++next;
     if (cell < 0) {
-      for (; k < next; ++k) std::fill_n(result + sorted.order[k] * dim, dim, kNaN);
+      for (; k < next; ++k) std::fill_n(result + Index{sorted.order[k]} * dim, dim, kNaN);
       continue;
     }
     if (next - k < kLanes / 4) {  // too few to share the work
       for (; k < next; ++k)
         evaluate_one(task.s, sorted.uv[2 * k], sorted.uv[2 * k + 1], task.derivative_u, task.derivative_v,
-                     result + sorted.order[k] * dim);
+                     result + Index{sorted.order[k]} * dim);
       continue;
     }
     for (int l = 0; l < kLanes; ++l) {  // lanes without a point repeat the last one
@@ -109,7 +109,7 @@ void evaluate_sorted(const Task& task, std::span<const double> uv, double* resul
     }
     evaluate_lanes(task, cell / task.s.size_v(), cell % task.s.size_v(), u, v, out.data());
     for (int l = 0; k < next; ++k, ++l)
-      for (Index d = 0; d < dim; ++d) result[sorted.order[k] * dim + d] = out[d * kLanes + l];
+      for (Index d = 0; d < dim; ++d) result[Index{sorted.order[k]} * dim + d] = out[d * kLanes + l];
   }
 }
 

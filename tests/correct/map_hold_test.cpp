@@ -4,26 +4,12 @@
 
 #include <numbers>
 
-#include "correct/parameter_guard.h"
-#include "data/meshes.h"
+#include "correct/flat_mesh.h"
 #include "support/random_splines.h"
 namespace knotfit::correction {
 namespace {
 
 using namespace knotfit::test;
-
-/// X(u,v) = (a u, b v, 0) on a sheet.
-HoldingMesh flat(int cells, double a = 1, double b = 1) {
-  const Mesh mesh = sheet(cells, cells);
-  std::vector<Vec3> position;
-  std::vector<double> uv;
-  for (Index k = 0; k < mesh.vertex_count(); ++k) {
-    const double *p = mesh.vertex(k), x = p[0], y = p[1];
-    position.push_back({a * x, b * y, 0});
-    uv.insert(uv.end(), {x, y});
-  }
-  return holding_mesh(mesh, position, uv, mesh.vertex_count());
-}
 
 /// (x(u), y, 0) with the control points' x by their place.
 Surface strip(const KnotVector& u, const KnotVector& v, const std::vector<double>& x) {
@@ -31,110 +17,6 @@ Surface strip(const KnotVector& u, const KnotVector& v, const std::vector<double
   for (const double a : x)
     for (const double b : v.greville()) net.insert(net.end(), {a, b, 0});
   return Surface(u, v, 3, net);
-}
-
-double area(const HoldingMesh& m, bool plane) {
-  double sum = 0;
-  for (const auto& t : m.face) {
-    if (plane) {
-      const double *a = &m.uv[2 * t[0]], *b = &m.uv[2 * t[1]], *c = &m.uv[2 * t[2]];
-      sum += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-    } else {
-      sum += length(cross(m.position[t[1]] - m.position[t[0]], m.position[t[2]] - m.position[t[0]])) / 2;
-    }
-  }
-  return sum;
-}
-
-TEST(HoldingMesh, HalvingLeavesTheMapAsItIs) {
-  HoldingMesh m = flat(4, 3, 2);
-  m.virtual_face[5] = 1;
-  const Index before = m.size();
-  halve_long_edges(m, 0.11, 0.06);
-  EXPECT_GT(m.size(), before);
-  EXPECT_NEAR(area(m, true), 1, 1e-12);
-  EXPECT_NEAR(area(m, false), 6, 1e-12);
-  double closing = 0;
-  for (std::size_t f = 0; f < m.face.size(); ++f) {
-    const auto& t = m.face[f];
-    for (int k = 0; k < 3; ++k) {
-      EXPECT_LE(std::abs(m.uv[2 * t[k]] - m.uv[2 * t[(k + 1) % 3]]), 0.11);
-      EXPECT_LE(std::abs(m.uv[2 * t[k] + 1] - m.uv[2 * t[(k + 1) % 3] + 1]), 0.06);
-    }
-    if (m.virtual_face[f]) closing += 1;
-  }
-  EXPECT_GT(closing, 1);
-  for (Index k = 0; k < m.size(); ++k)
-    EXPECT_NEAR(length(m.position[k] - Vec3{3 * m.uv[2 * k], 2 * m.uv[2 * k + 1], 0}), 0, 1e-14);
-  // The border still goes round: every vertex of it once from, once to.
-  std::vector<int> out(static_cast<std::size_t>(m.size()), 0), in = out;
-  for (const auto& [a, b] : m.border) ++out[a], ++in[b];
-  EXPECT_EQ(out, in);
-  EXPECT_EQ(m.border.size(), static_cast<std::size_t>(std::count(out.begin(), out.end(), 1)));
-}
-
-TEST(HoldingMesh, BorderVerticesSlideAlongTheirSides) {
-  const HoldingMesh m = flat(3);
-  const std::vector<Slide> s = slides(m, true, false), still = slides(m, false, false),
-                           round = slides(m, true, true);
-  for (Index k = 0; k < m.size(); ++k) {
-    const bool u = m.uv[2 * k] == 0 || m.uv[2 * k] == 1, v = m.uv[2 * k + 1] == 0 || m.uv[2 * k + 1] == 1;
-    EXPECT_EQ(s[k], u && v ? Slide::fixed : u ? Slide::along_v : v ? Slide::along_u : Slide::free);
-    EXPECT_EQ(still[k], u || v ? Slide::fixed : Slide::free);
-    EXPECT_EQ(round[k], u || v ? Slide::round : Slide::free);
-  }
-}
-
-TEST(HoldingMesh, WeightsOfTheDataSumToOne) {
-  HoldingMesh m = flat(4);
-  const Index own = m.size();
-  halve_long_edges(m, 0.13, 0.13);
-  PointWeights w = point_weights(m);
-  weigh_added(m, 0.3, w);
-  double data = 0, added = 0, parts = 0;
-  for (std::size_t i = 0; i < w.vertex.size(); ++i) {
-    EXPECT_EQ(w.data[i] != 0, w.vertex[i] < own);
-    (w.data[i] ? data : added) += w.weight[i];
-    parts += w.area[i];
-  }
-  EXPECT_NEAR(data, 1, 1e-12);
-  EXPECT_NEAR(parts, 1, 1e-12);
-  EXPECT_GT(added, 0);
-  EXPECT_LE(added, 0.3);
-}
-
-TEST(ParameterGuard, KeepsEveryTriangle) {
-  Random random;
-  const HoldingMesh m = flat(12);
-  for (int repeat = 0; repeat < 20; ++repeat) {
-    std::vector<double> to = m.uv;
-    for (double& x : to) x = std::clamp(x + random.uniform(-0.2, 0.2), 0.0, 1.0);
-    ParameterGuard guard(m.face, m.size());
-    const Index held = guard.hold(m.uv, to);
-    EXPECT_GT(held, 0);
-    const auto least = [&] {
-      double a = INFINITY;
-      for (const auto& t : m.face) {
-        const double *p = &to[2 * t[0]], *q = &to[2 * t[1]], *r = &to[2 * t[2]];
-        a = std::min(a, (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
-      }
-      return a;
-    };
-    EXPECT_GE(least(), 0.02 / 144 * (1 - 1e-9));
-    const std::vector<double> before = to;
-    guard.relax(to, std::vector<Slide>(static_cast<std::size_t>(m.size()), Slide::free), 2);
-    EXPECT_GT(least(), 0);
-    EXPECT_NE(before, to);
-  }
-}
-
-TEST(ParameterGuard, LetsGoodMovesBe) {
-  const HoldingMesh m = flat(6);
-  std::vector<double> to = m.uv;
-  for (std::size_t k = 0; k < to.size(); ++k) to[k] = to[k] * to[k];
-  const std::vector<double> wanted = to;
-  EXPECT_EQ(ParameterGuard(m.face, m.size()).hold(m.uv, to), 0);
-  EXPECT_EQ(to, wanted);
 }
 
 TEST(GradientData, AreTheDerivativesOfTheMap) {

@@ -1,11 +1,14 @@
-#include "pipeline/frame.h"
+#include "fit/frame.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "knotfit/evaluate.h"
+#include "knotfit/exceptions.h"
+#include "support/expect_throw.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
@@ -63,6 +66,47 @@ TEST(Frame, OfEqualValuesChangesTheCentreOnly) {
   const Frame frame(points);
   EXPECT_EQ(frame.scale(), 1);
   EXPECT_EQ(frame.inside(points).values, (std::vector<double>{0, 0}));
+}
+
+TEST(Frame, OfValuesBelowTheNormalNumbersHasAnInverse) {
+  ParameterizedPoints points;
+  points.uv = {0, 0, 1, 1};
+  points.values = {0, 1e-310};
+  for (const double x : Frame(points).inside(points).values) EXPECT_LE(std::abs(x), 1);
+}
+
+Mesh tilted_square() {
+  Mesh mesh;
+  mesh.vertices = {5, 5, 5, 8, 5, 5, 8, 9, 17, 5, 9, 17, 1e9, 0, 0};  // no face has the last one
+  mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+TEST(Frame, OfAMeshIsTheBoxOfItsFaces) {
+  const Frame frame(tilted_square());
+  EXPECT_DOUBLE_EQ(frame.scale(), 13);  // 3, 4, 12
+  const std::vector<Vec3> inside = frame.inside(tilted_square());
+  ASSERT_EQ(inside.size(), 5u);
+  EXPECT_DOUBLE_EQ(inside[2].x, 1.5 / 13);
+  EXPECT_DOUBLE_EQ(inside[2].y, 2.0 / 13);
+  EXPECT_DOUBLE_EQ(inside[2].z, 6.0 / 13);
+  EXPECT_DOUBLE_EQ(length(inside[2] - inside[0]), 1);
+}
+
+TEST(Frame, OfAMeshTakesSurfacesInAndOut) {
+  const Frame frame(tilted_square());
+  const KnotVector knots = KnotVector::uniform(1, 0);
+  const std::vector<double> net{5, 5, 5, 8, 5, 5, 8, 9, 17, 5, 9, 17};
+  const Surface out = frame.outside(frame.inside(Surface(knots, knots, 3, net)));
+  for (std::size_t k = 0; k < net.size(); ++k) EXPECT_NEAR(out.net()[k], net[k], 8 * frame.rounding());
+}
+
+TEST(Frame, OfAMeshWithoutExtentIsRefused) {
+  Mesh mesh = tilted_square();
+  mesh.vertices.assign(15, 3.0);
+  expect_throw<InvalidInput>([&] { Frame{mesh}; }, "all vertices of the mesh are at one place");
+  mesh.vertices[0] = std::numeric_limits<double>::infinity();
+  expect_throw<InvalidInput>([&] { Frame{mesh}; }, "too far apart");
 }
 
 }  // namespace

@@ -1,17 +1,19 @@
-#include "correct/batch.h"
+#include "correct/mesh_at_parameters.h"
 
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "correct/merit.h"
+#include "correct/penalised_error.h"
 namespace knotfit::correction {
 namespace {
 
-// Vertices a cell: below the first a mesh shows no curvature, from the second on all of it.
+constexpr double kLongest = 0.6;  // of an edge, in mean spans [METHOD 8.2]
+// Vertices a cell [METHOD 8.8]: below the first a mesh shows no curvature, from the second on all of it.
 constexpr double kCoarse = 4, kFine = 15;
+// Weight of a cell's hinge rows [METHOD 8.7].
 constexpr double kMostHinge = 1e4, kHingeGrow = 3, kHingeDecay = 0.7;
+constexpr double kMostRaised = 64;  // of squared distances by their mean: 8 times the RMS
 
-/// RMS and maximum over the data.
 struct Errors {
   double square = 0, weight = 0, max = 0;
   Errors& operator+=(const Errors& o) {
@@ -20,7 +22,8 @@ struct Errors {
   }
 };
 
-/// The points' own error metric [Wang06]: M = tau I + (1 - tau) n n^T inside, the side's direction spared on it.
+/// The metric of a point's error [Wang06]: M = tau I + (1 - tau) n n^T inside the square. On a side, the distance along it
+/// counts by tau.
 Sym3 matrix(const Jet& j, double tangential, Slide slide, const double* uv) {
   const auto spare = [&](const Vec3& t) {
     const double l = squared(t);
@@ -36,14 +39,17 @@ Sym3 matrix(const Jet& j, double tangential, Slide slide, const double* uv) {
   return with_axis(tangential, 1 - tangential, (1 / l) * n);
 }
 
+HoldingMesh& with_short_edges(HoldingMesh& mesh, const FixedKnots& knots) {
+  halve_long_edges(mesh, kLongest * knots.u.mean_length(), kLongest * knots.v.mean_length());
+  return mesh;
+}
+
 }  // namespace
 
-Batch::Batch(HoldingMesh& mesh, const TangentSystem& system, const SpanTable& u, const SpanTable& v,
-             const CorrectionOptions& options)
-    : mesh_(mesh),
-      system_(system),
-      u_(u),
-      v_(v),
+MeshAtParameters::MeshAtParameters(HoldingMesh& mesh, const FixedKnots& knots,
+                                   const CorrectionOptions& options)
+    : mesh_(with_short_edges(mesh, knots)),
+      knots_(knots),
       options_(options),
       guard_(mesh.face, mesh.size()),
       slides_(slides(mesh, options.slide, options.round_corners)),
@@ -53,25 +59,27 @@ Batch::Batch(HoldingMesh& mesh, const TangentSystem& system, const SpanTable& u,
     position_.push_back(mesh.position[k]);
     slide_.push_back(slides_[k]);
   }
-  const double a_cell = static_cast<double>(mesh.own) / static_cast<double>(u.spans() * v.spans());
+  const double a_cell =
+      static_cast<double>(mesh.own) / static_cast<double>(knots.u.spans() * knots.v.spans());
   resolved_ = std::clamp((a_cell - kCoarse) / (kFine - kCoarse), 0.0, 1.0);
-  steps_.longest_u = u.mean_length();
-  steps_.longest_v = v.mean_length();
+  steps_.longest_u = knots.u.mean_length();
+  steps_.longest_v = knots.v.mean_length();
   gather();
   free_ = uv_;
+  begin_round();
 }
 
-void Batch::begin_round() {
+void MeshAtParameters::begin_round() {
   weigh_added(mesh_, options_.holding, points_);
-  reference_ = reference(mesh_, u_, v_, options_.aspect);
+  reference_ = reference(mesh_, knots_.u, knots_.v, options_.aspect);
 }
 
-std::optional<Surface> Batch::plain_fit() const {
-  return system_.solve({uv_, position_, points_.weight, {}}, options_.smoothing,
-                       {gradient_data(mesh_, u_, v_, options_.gradient), {}});
+std::optional<Surface> MeshAtParameters::plain_fit() const {
+  return knots_.system.solve({uv_, position_, points_.weight, {}}, options_.smoothing,
+                             {gradient_data(mesh_, knots_.u, knots_.v, options_.gradient), {}});
 }
 
-Index Batch::move(const CellPolynomials& surface) {
+Index MeshAtParameters::move(const CellPolynomials& surface) {
   const std::vector<double> from = mesh_.uv;
   foot_points(surface, position_, slide_, steps_, uv_);
   foot_points(surface, position_, slide_, steps_, free_);
@@ -83,7 +91,7 @@ Index Batch::move(const CellPolynomials& surface) {
   return held;
 }
 
-std::vector<double> Batch::weights(const std::vector<double>& factor) const {
+std::vector<double> MeshAtParameters::weights(const std::vector<double>& factor) const {
   std::vector<double> result = points_.weight;
   double sum = 0, raised = 0;
   for (std::size_t i = 0; i < result.size(); ++i)
@@ -94,18 +102,20 @@ std::vector<double> Batch::weights(const std::vector<double>& factor) const {
   return result;
 }
 
-std::vector<double> Batch::weights(double kappa, const std::vector<double>& squared) const {
+std::vector<double> MeshAtParameters::weights(double kappa, const std::vector<double>& squared) const {
+  if (!(kappa > 0)) return points_.weight;
   double sum = 0, square = 0;
   for (std::size_t i = 0; i < base_.size(); ++i)
     if (points_.data[i]) sum += base_[i], square += base_[i] * squared[i];
   const double mean = square / sum;
-  if (!(mean > 0) || !(kappa > 0)) return points_.weight;
+  if (!(mean > 0)) return points_.weight;
   std::vector<double> factor(base_.size(), 1.0);
-  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] += kappa * std::min(squared[i] / mean, 64.0);
+  for (std::size_t i = 0; i < factor.size(); ++i)
+    factor[i] += kappa * std::min(squared[i] / mean, kMostRaised);
   return weights(factor);
 }
 
-std::vector<Sym3> Batch::matrices(const CellPolynomials& surface, double tangential) const {
+std::vector<Sym3> MeshAtParameters::matrices(const CellPolynomials& surface, double tangential) const {
   std::vector<Sym3> result(points_.vertex.size());
   const std::vector<std::int32_t> order = order_by_cell(surface, uv_);
   parallel_chunks(
@@ -120,52 +130,55 @@ std::vector<Sym3> Batch::matrices(const CellPolynomials& surface, double tangent
   return result;
 }
 
-std::optional<Surface> Batch::step(const CellPolynomials& surface, double tangential, const HingeState& hinge,
-                                   const std::vector<double>& weights) const {
+std::optional<Surface> MeshAtParameters::step(const CellPolynomials& surface, double tangential,
+                                              const HingeState& hinge,
+                                              const std::vector<double>& weights) const {
   std::vector<Sym3> m;
   if (options_.step == CorrectionStep::tangent) m = matrices(surface, tangential);
-  return system_.solve({uv_, position_, weights, m}, options_.smoothing,
-                       {gradient_data(mesh_, u_, v_, options_.gradient), hinge.rows, hinge.curvature});
+  return knots_.system.solve(
+      {uv_, position_, weights, m}, options_.smoothing,
+      {gradient_data(mesh_, knots_.u, knots_.v, options_.gradient), hinge.rows, hinge.curvature});
 }
 
-std::optional<KnotJacobian> Batch::knot_jacobian(const Surface& surface, double tangential,
-                                                 const HingeState& hinge,
-                                                 const std::vector<double>& weights) const {
+std::optional<KnotJacobian> MeshAtParameters::knot_jacobian(const Surface& surface, double tangential,
+                                                            const HingeState& hinge,
+                                                            const std::vector<double>& weights) const {
   const std::vector<Sym3> m = matrices(CellPolynomials(surface), tangential);
-  return system_.knot_jacobian({uv_, position_, weights, m}, options_.smoothing,
-                               {gradient_data(mesh_, u_, v_, options_.gradient), hinge.rows, hinge.curvature},
-                               surface, points_.data);
+  return knots_.system.knot_jacobian(
+      {uv_, position_, weights, m}, options_.smoothing,
+      {gradient_data(mesh_, knots_.u, knots_.v, options_.gradient), hinge.rows, hinge.curvature}, surface,
+      points_.data);
 }
 
-Verdict Batch::judge(const CellPolynomials& surface) const {
-  Verdict verdict;
+Judgement MeshAtParameters::judge(const CellPolynomials& surface) const {
+  Judgement judgement;
   std::vector<double> look = free_;
   FootPointOptions once = steps_;
   once.iterations = 1;
-  verdict.squared = foot_points(surface, position_, slide_, once, look);
+  judgement.squared = foot_points(surface, position_, slide_, once, look);
   const Errors errors =
       parallel_sum<Errors>(static_cast<Index>(position_.size()), [&](Index begin, Index end) {
         Errors e;
         for (Index i = begin; i < end; ++i)
-          if (points_.data[i]) e += {base_[i] * verdict.squared[i], base_[i], verdict.squared[i]};
+          if (points_.data[i]) e += {base_[i] * judgement.squared[i], base_[i], judgement.squared[i]};
         return e;
       });
-  verdict.rms = errors.weight > 0 ? std::sqrt(errors.square / errors.weight) : 0;
-  verdict.max = std::sqrt(errors.max);
-  verdict.error = options_.keep_by.measure == ErrorMeasure::rms ? verdict.rms : verdict.max;
+  judgement.rms = errors.weight > 0 ? std::sqrt(errors.square / errors.weight) : 0;
+  judgement.max = std::sqrt(errors.max);
+  judgement.error = options_.keep_by.measure == ErrorMeasure::rms ? judgement.rms : judgement.max;
   if (options_.keep_by.measure == ErrorMeasure::percentile) {
     std::vector<double> distances;
     for (std::size_t i = 0; i < base_.size(); ++i)
-      if (points_.data[i]) distances.push_back(std::sqrt(verdict.squared[i]));
-    verdict.error = measured_error(distances, options_.keep_by);
+      if (points_.data[i]) distances.push_back(std::sqrt(judgement.squared[i]));
+    judgement.error = measured_error(distances, options_.keep_by);
   }
-  verdict.folded = hinge_rows(surface, reference_, {}).folded;
-  verdict.merit = merit_of(verdict.rms, verdict.folded);
-  return verdict;
+  judgement.folded = hinge_rows(surface, reference_, {}).folded;
+  judgement.penalised_error = penalised_error(judgement.rms, judgement.folded);
+  return judgement;
 }
 
-HingeState Batch::hinge(const CellPolynomials& surface, std::vector<double>& weights, bool renew,
-                        double fairness) const {
+HingeState MeshAtParameters::hinge(const CellPolynomials& surface, std::vector<double>& weights, bool renew,
+                                   double fairness) const {
   if (options_.step != CorrectionStep::tangent || (!options_.hinge && options_.fairness == 0)) return {};
   HingeState state = hinge_rows(surface, reference_, weights, fairness * resolved_ * options_.fairness);
   if (!options_.hinge) state.rows.clear();
@@ -176,13 +189,13 @@ HingeState Batch::hinge(const CellPolynomials& surface, std::vector<double>& wei
   return state;
 }
 
-void Batch::set_parameters(std::vector<double> uv) {
+void MeshAtParameters::set_parameters(std::vector<double> uv) {
   mesh_.uv = std::move(uv);
   gather();
   free_ = uv_;
 }
 
-void Batch::gather() {
+void MeshAtParameters::gather() {
   uv_.resize(2 * points_.vertex.size());
   for (std::size_t i = 0; i < points_.vertex.size(); ++i)
     std::copy_n(&mesh_.uv[2 * points_.vertex[i]], 2, &uv_[2 * i]);

@@ -1,4 +1,4 @@
-#include "correct/work.h"
+#include "correct/prepared_mesh.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "correct/final_parameters.h"
+#include "data/mesh_data.h"
 #include "knotfit/exceptions.h"
 namespace knotfit::correction {
 namespace {
@@ -17,9 +18,7 @@ void check_range(double x, double low, double high, const char* name) {
 }
 
 void check(const Mesh& mesh, const std::vector<double>& uv, const CorrectionOptions& options) {
-  if (static_cast<Index>(uv.size()) != 2 * mesh.vertex_count())
-    throw InvalidInput(fmt::format("{} vertices need {} parameters, u and v each; there are {}",
-                                   mesh.vertex_count(), 2 * mesh.vertex_count(), uv.size()));
+  require_parameters(mesh, uv);
   for (std::size_t k = 0; k < uv.size(); ++k)
     if (!(uv[k] >= 0 && uv[k] <= 1))
       throw InvalidInput(fmt::format("{} of vertex {} is {}: parameters lie in [0,1]", k % 2 == 0 ? "u" : "v",
@@ -48,32 +47,21 @@ void check(const Mesh& mesh, const std::vector<double>& uv, const CorrectionOpti
                                    mesh.vertex_count()));
 }
 
-Surface mapped(const Surface& s, const CorrectionFrame& frame, bool out) {
-  std::vector<double> net = s.net();
-  const double c[3] = {frame.centre.x, frame.centre.y, frame.centre.z};
-  for (std::size_t i = 0; i < net.size(); ++i)
-    net[i] = out ? net[i] * frame.diagonal + c[i % 3] : (net[i] - c[i % 3]) / frame.diagonal;
-  return Surface(s.knots_u(), s.knots_v(), 3, std::move(net));
-}
-
 /// Distances of the data vertices, each found from its own parameters.
 void measure(CorrectionResult& result, const Mesh& mesh, Index data, const Control& control) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<char> used(static_cast<std::size_t>(mesh.vertex_count()), 0);
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (mesh.virtual_face.empty() || !mesh.virtual_face[f])
-      for (const std::int32_t k : mesh.faces[f]) used[k] = k < data;
+  const std::vector<char> used = data_vertices(mesh);
   std::vector<double> points, start;
   std::vector<Index> vertex;
   for (Index k = 0; k < mesh.vertex_count(); ++k) {
-    if (!used[k]) continue;
+    if (!used[k] || k >= data) continue;
     vertex.push_back(k);
     points.insert(points.end(), mesh.vertex(k), mesh.vertex(k) + 3);
     start.insert(start.end(), &result.uv[2 * k], &result.uv[2 * k] + 2);
   }
   result.signed_distances.assign(static_cast<std::size_t>(mesh.vertex_count()), none);
   result.foot_points.assign(static_cast<std::size_t>(2 * mesh.vertex_count()), none);
-  Control quiet;  // what is left to do is short; the rounds are what a stop cuts
+  Control quiet;  // cannot be stopped: what is left to do is short
   quiet.progress = control.progress;
   PointDistances d = point_distances(result.surface, points, start, {}, quiet);
   for (std::size_t i = 0; i < vertex.size(); ++i) {
@@ -86,36 +74,7 @@ void measure(CorrectionResult& result, const Mesh& mesh, Index data, const Contr
 
 }  // namespace
 
-CorrectionFrame::CorrectionFrame(const Mesh& mesh) {
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  for (const auto& f : mesh.faces)
-    for (const std::int32_t k : f) {
-      const double* p = mesh.vertex(k);
-      low = {std::min(low.x, p[0]), std::min(low.y, p[1]), std::min(low.z, p[2])};
-      high = {std::max(high.x, p[0]), std::max(high.y, p[1]), std::max(high.z, p[2])};
-    }
-  centre = 0.5 * low + 0.5 * high;
-  diagonal = length(high - low);
-  if (!(diagonal > 0) || !std::isfinite(diagonal))
-    throw InvalidInput(
-        "all vertices of the mesh are at one place, or too far apart: there is no surface to fit");
-}
-
-std::vector<Vec3> CorrectionFrame::inside(const Mesh& mesh) const {
-  std::vector<Vec3> p;
-  for (Index k = 0; k < mesh.vertex_count(); ++k) p.push_back((1 / diagonal) * (at(mesh.vertex(k)) - centre));
-  return p;
-}
-
-Surface CorrectionFrame::inside(const Surface& s) const {
-  return mapped(s, *this, false);
-}
-
-Surface CorrectionFrame::outside(const Surface& s) const {
-  return mapped(s, *this, true);
-}
-
-CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options)
+PreparedMesh::PreparedMesh(const Mesh& mesh, std::vector<double> uv, const CorrectionOptions& options)
     : mesh_(mesh),
       first_((check(mesh, uv, options), std::move(uv))),
       options_(options),
@@ -131,44 +90,54 @@ CorrectionWork::CorrectionWork(const Mesh& mesh, std::vector<double> uv, const C
   if (measured.size() < 4 || data_ < 4)
     throw InvalidInput("fewer than 4 vertices are data: there is no surface to fit");
   untangling_ = slides(holding_, options.slide, options.round_corners);
-  sliding_.assign(untangling_.size(), Slide::fixed);  // in the middle of a hole
+  sliding_.assign(untangling_.size(), Slide::fixed);  // vertices that are no data stay
   for (const std::int32_t k : measured) sliding_[k] = untangling_[k];
 }
 
-Rounds CorrectionWork::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
-                           const CorrectionOptions& options, const Stage& stage, bool keep_start) const {
+CorrectionRun PreparedMesh::run(std::vector<double> uv, const KnotVector& knots_u, const KnotVector& knots_v,
+                                const CorrectionOptions& options, const Stage& stage, bool keep_start) const {
   HoldingMesh mesh = holding_;
   mesh.uv = std::move(uv);
-  return run_rounds(std::move(mesh), knots_u, knots_v, options, stage, keep_start);
+  return run_correction(std::move(mesh), knots_u, knots_v, options, stage, keep_start);
 }
 
-std::optional<KnotJacobian> CorrectionWork::knots(std::vector<double> uv, const Surface& surface) const {
+std::optional<KnotJacobian> PreparedMesh::knots(std::vector<double> uv, const Surface& surface) const {
   HoldingMesh mesh = holding_;
   mesh.uv = std::move(uv);
   return knot_jacobian(std::move(mesh), surface, options_);
 }
 
-double CorrectionWork::error(const CorrectionResult& result, const Tolerance& tolerance) const {
+double PreparedMesh::error(const CorrectionResult& result, const Tolerance& tolerance) const {
   std::vector<double> distances;
   for (const double d : result.signed_distances)
-    if (!std::isnan(d)) distances.push_back(std::abs(d) / frame_.diagonal);
+    if (!std::isnan(d)) distances.push_back(std::abs(d) / frame_.scale());
   return distances.empty() ? INFINITY : measured_error(distances, tolerance);
 }
 
-CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, const Control& control) const {
+void keep_first(Index vertices, CorrectionResult& result) {
+  const auto cut = [&](std::vector<double>& x, Index width) {
+    if (!x.empty()) x.resize(static_cast<std::size_t>(width * vertices));
+  };
+  cut(result.uv, 2);
+  cut(result.foot_points, 2);
+  cut(result.signed_distances, 1);
+}
+
+CorrectionResult PreparedMesh::finish(CorrectionRun run, bool from_first_fit, const Control& control) const {
   CorrectionResult result;
-  result.rounds = std::move(rounds.rounds);
-  result.best_round = rounds.best;
-  if (!rounds.surface) {
+  result.rounds = std::move(run.rounds);
+  result.best_round = run.best;
+  if (!run.surface) {
     result.status = CorrectionStatus::singular;
     result.uv = first_;
     return result;
   }
-  result.status = rounds.stopped                            ? CorrectionStatus::stopped
-                  : rounds.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
-                                                            : CorrectionStatus::corrected;
-  result.surface = frame_.outside(*rounds.surface);
-  // The first, and another with fewer triangles turned over that folds no more or not over.
+  result.status = run.stopped                            ? CorrectionStatus::stopped
+                  : run.best == 0 && options_.rounds > 0 ? CorrectionStatus::no_gain
+                                                         : CorrectionStatus::corrected;
+  result.surface = frame_.outside(*run.surface);
+  // Takes the first parameters. Takes others where fewer triangles are turned over, and the surface does not fold over
+  // or folds no more.
   const auto take = [&](std::vector<double> uv) {
     FoldReport folds = measure_folds(result.surface, mesh_, uv);
     if (!result.uv.empty() && (folds.flipped >= result.folds.flipped ||
@@ -177,24 +146,22 @@ CorrectionResult CorrectionWork::finish(Rounds rounds, bool from_first_fit, cons
     result.uv = std::move(uv);
     result.folds = std::move(folds);
   };
-  if (from_first_fit && rounds.best == 0) {
+  if (from_first_fit && run.best == 0) {
     take(first_);
   } else {
-    // From the rounds' own parameters, where hardly a triangle is turned over; from the map where some are.
+    // Begins with the rounds' own parameters, which turn hardly a triangle over; where some stay turned, with the map too.
     const std::vector<Vec3> position = frame_.inside(mesh_);
     const auto ended_at = [&](std::vector<double> from) {
-      return final_parameters(mesh_.faces, position, sliding_, std::move(from), rounds.uv, *rounds.surface);
+      return final_parameters(mesh_.faces, position, sliding_, std::move(from), run.uv, *run.surface);
     };
-    std::vector<double> near = rounds.uv;
+    std::vector<double> near = run.uv;
     untangle(mesh_.faces, untangling_, first_, near);
     take(ended_at(std::move(near)));
     if (result.folds.flipped > 0) take(ended_at(first_));
   }
   measure(result, mesh_, data_, control);
-  std::vector<Vec3> position;
-  for (Index k = 0; k < mesh_.vertex_count(); ++k) position.push_back(at(mesh_.vertex(k)));
   std::vector<double> nearer = result.uv;
-  if (approach_feet(mesh_.faces, position, sliding_, result.foot_points, result.signed_distances,
+  if (approach_feet(mesh_.faces, vertex_places(mesh_), sliding_, result.foot_points, result.signed_distances,
                     result.surface, nearer) > 0) {
     FoldReport folds = measure_folds(result.surface, mesh_, nearer);
     if (folds.flipped <= result.folds.flipped && (!folds_over(folds) || folds_over(result.folds))) {
