@@ -9,6 +9,7 @@
 #include "options_json.h"
 #include "outputs.h"
 #include "reading.h"
+#include "remedy_words.h"
 #include "signals.h"
 #include "terminal_progress.h"
 #include "text_values.h"
@@ -55,10 +56,13 @@ int run_compare(const CompareArguments& arguments) {
   if (!arguments.folder.empty()) folder.emplace(arguments.folder, arguments.force);
 
   const std::string stored = options_to_json(arguments.choices);
-  const std::vector<CompareRow> rows =
-      compare_methods(input.points, options, control, [&](const CompareRow& row) {
-        if (folder) folder->add(row, input, stored);
-      });
+  std::vector<CompareRow> rows;
+  compare_methods(input.points, options, control, [&](const CompareRow& row) {
+    rows.push_back(row);
+    rows.back().failure = in_tool_words(row.failure);
+    put_in_tool_words(rows.back().result);
+    if (folder) folder->add(rows.back(), input, stored);
+  });
   const bool stopped = stop.requested();
   if (folder) {
     terminal.report({.stage = "pictures"});

@@ -21,6 +21,7 @@
 #include "mesh_outputs.h"
 #include "options_json.h"
 #include "outputs.h"
+#include "remedy_words.h"
 #include "sampling.h"
 #include "signals.h"
 #include "standard_streams.h"
@@ -389,6 +390,7 @@ int run_fit(const FitArguments& arguments) {
     }
     find_loose_feet(input, result.surface);
     judge_all_points(result, errors_of_all(result, input));
+    put_in_tool_words(result);
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }

@@ -13,6 +13,7 @@
 #include "knotfit/io.h"
 #include "knotfit/parameterize_curve.h"
 #include "knotfit/threads.h"
+#include "remedy_words.h"
 #include "signals.h"
 #include "standard_streams.h"
 #include "terminal_progress.h"
@@ -83,9 +84,10 @@ int compare(const CurveArguments& arguments, const CurvePoints& points, const Cu
     const auto start = std::chrono::steady_clock::now();
     try {
       row.result = fit_curve(points, one, control);
+      put_in_tool_words(row.result);
       if (row.result.status == Status::failed) row.failure = row.result.message;
     } catch (const InvalidInput& e) {
-      row.failure = e.what();
+      row.failure = in_tool_words(e.what());
     }
     row.seconds = seconds_since(start);
     if (control.stop.stop_requested()) break;
@@ -125,6 +127,7 @@ int run_fit_curve(const CurveArguments& arguments) {
   CurveFitResult result;
   try {
     result = fit_curve(points, options, control);
+    put_in_tool_words(result);
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }

@@ -14,6 +14,7 @@
 #include "knotfit/io.h"
 #include "knotfit/mesh_parameters.h"
 #include "outputs.h"
+#include "remedy_words.h"
 #include "standard_streams.h"
 #include "surface_file.h"
 #include "text_values.h"
@@ -101,7 +102,7 @@ DataFacts facts_of(const Mesh& mesh) {
   try {
     require_disk(mesh);
   } catch (const InvalidInput& e) {
-    facts.problem = e.what() + weld_hint(mesh);
+    facts.problem = in_tool_words(e.what()) + weld_hint(mesh);
   }
   facts.counts = {{"vertices", mesh.vertex_count()},
                   {"triangles", mesh.face_count()},

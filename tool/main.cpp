@@ -10,6 +10,7 @@
 #include "exit_status.h"
 #include "knotfit/exceptions.h"
 #include "outputs.h"
+#include "remedy_words.h"
 namespace {
 
 using namespace knotfit;
@@ -42,7 +43,7 @@ int run(const CommandLine& line) {
 }
 
 int fail(int status, const std::string& message) {
-  std::fprintf(stderr, "knotfit: %s\n", message.c_str());
+  std::fprintf(stderr, "knotfit: %s\n", in_tool_words(message).c_str());
   return status;
 }
 
