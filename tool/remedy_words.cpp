@@ -1,62 +1,47 @@
 #include "remedy_words.h"
+
+#include <array>
 namespace knotfit::tool {
 namespace {
 
-// No default: the compiler names a remedy without words.
-std::string_view words_for(Remedy remedy) {
-  switch (remedy) {
-    case Remedy::format:
-      return "--input-format";
-    case Remedy::columns:
-      return "--columns";
-    case Remedy::nodata:
-      return "--nodata";
-    case Remedy::skip_lines:
-      return "--skip-lines";
-    case Remedy::block:
-      return "--block";
-    case Remedy::classes:
-      return "--classes";
-    case Remedy::returns:
-      return "--returns";
-    case Remedy::height_field:
-      return "--height-field";
-    case Remedy::rescale:
-      return "--rescale-parameters";
-    case Remedy::duplicates:
-      return "--duplicates";
-    case Remedy::base:
-      return "--base";
-    case Remedy::fill_holes:
-      return "--fill-holes";
-    case Remedy::largest_part:
-      return "--largest-part";
-    case Remedy::orient:
-      return "--orient";
-    case Remedy::drop_degenerate:
-      return "--drop-degenerate";
-    case Remedy::vertices:
-      return "knotfit convert MESH -o points.csv";
-    case Remedy::degree:
-      return "--degree";
-    case Remedy::smoothing:
-      return "--smoothing";
-    case Remedy::correct:
-      return "--correct";
-    case Remedy::corrections:
-      return "--corrected";
-    case Remedy::closed:
-      return "--closed";
-    case Remedy::force:
-      return "--force";
-  }
-  return "";
-}
+struct Words {
+  Remedy remedy;
+  std::string_view words;
+};
+constexpr auto kWords = std::to_array<Words>({{Remedy::format, "--input-format"},
+                                              {Remedy::columns, "--columns"},
+                                              {Remedy::nodata, "--nodata"},
+                                              {Remedy::skip_lines, "--skip-lines"},
+                                              {Remedy::block, "--block"},
+                                              {Remedy::classes, "--classes"},
+                                              {Remedy::returns, "--returns"},
+                                              {Remedy::height_field, "--height-field"},
+                                              {Remedy::rescale, "--rescale-parameters"},
+                                              {Remedy::duplicates, "--duplicates"},
+                                              {Remedy::base, "--base"},
+                                              {Remedy::fill_holes, "--fill-holes"},
+                                              {Remedy::largest_part, "--largest-part"},
+                                              {Remedy::orient, "--orient"},
+                                              {Remedy::drop_degenerate, "--drop-degenerate"},
+                                              {Remedy::vertices, "knotfit convert MESH -o points.csv"},
+                                              {Remedy::degree, "--degree"},
+                                              {Remedy::smoothing, "--smoothing"},
+                                              {Remedy::correct, "--correct"},
+                                              {Remedy::corrections, "--corrected"},
+                                              {Remedy::closed, "--closed"},
+                                              {Remedy::force, "--force"}});
+
+// A remedy without words, or out of order, does not compile.
+static_assert([] {
+  for (std::size_t k = 0; k < kWords.size(); ++k)
+    if (kWords[k].remedy != static_cast<Remedy>(k)) return false;
+  return kWords.back().remedy == kLastRemedy;
+}());
 
 }  // namespace
 
 std::string words_for(const NamedRemedy& remedy) {
-  std::string words(words_for(remedy.remedy));
+  std::string words(kWords[static_cast<std::size_t>(remedy.remedy)].words);
   if (!remedy.value.empty()) words += " " + remedy.value;
   return words;
 }

@@ -40,6 +40,9 @@ inline constexpr Named<CadFormat> kSchemas[] = {{CadFormat::step_ap214, "ap214"}
 inline constexpr Named<bool> kMaps[] = {{true, "newton"}, {false, "mean-value"}};
 inline constexpr Named<bool> kSwitch[] = {{true, "on"}, {false, "off"}};
 
+/// The parts between the marks, without blanks around them; one where there is no mark.
+std::vector<std::string_view> split(std::string_view text, char mark);
+
 // Every function below throws InvalidInput that quotes the text and says what is wanted.
 
 double parse_number(std::string_view text);
@@ -117,6 +120,10 @@ std::string_view name_of(const Named<E> (&table)[N], E value) {
 /// The text that parse_tolerance, parse_measure read back to the same value.
 std::string to_text(const ToleranceValue& tolerance);
 std::string to_text(const MeasureValue& measure);
+
+/// The shortest text that reads back to the same number; short_number() without the zeros of its exponent: 1e-9.
+std::string number_text(double number);
+std::string short_number(double number);
 
 /// Extension in lower case with its dot; empty where there is none.
 std::string extension_of(const std::string& path);

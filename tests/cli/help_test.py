@@ -7,12 +7,13 @@ import shlex
 import shutil
 import subprocess
 import unittest
+from pathlib import Path
 
-from harness import SAMPLES, SOURCE, TOOL, ToolTest
+from harness import SAMPLES, TOOL, ToolTest
 
 COMMANDS = ["fit", "compare", "fit-curve", "parameterize", "eval", "distance", "info", "convert", "methods", "formats"]
-MAN = SOURCE / "tool" / "man" / "knotfit.1"
-COMPLETION = SOURCE / "tool" / "completion"
+COMPLETION = Path(TOOL).resolve().parent / "pages"  # made with the tool
+MAN = COMPLETION / "knotfit.1"
 
 
 def options_of(text):

@@ -55,7 +55,7 @@ class Said(ToolTest):
         header = (SOURCE / "include" / "knotfit" / "remedy.h").read_text(encoding="utf-8")
         remedies = re.findall(r"^  (\w+),? +///<", re.search(r"enum class Remedy \{(.*?)\};", header, re.S)[1], re.M)
         code = (SOURCE / "tool" / "remedy_words.cpp").read_text(encoding="utf-8")
-        words = dict(re.findall(r'case Remedy::(\w+):\s*return "([^"]+)";', code))
+        words = dict(re.findall(r'\{Remedy::(\w+), "([^"]+)"\}', code))
         self.assertEqual(list(words), remedies)
         self.assertGreater(len(remedies), 20)
         known = self.known()
