@@ -40,8 +40,9 @@ Holder text(std::optional<std::string> Part::*field) {
   return text(field, [](const std::string&) {});
 }
 
-template <class Part, class E, std::size_t N>
-Holder named(std::optional<E> Part::*field, const Named<E> (&table)[N]) {
+/// One of a table that lives as long as the program.
+template <class Part, class E, class Table>
+Holder named(std::optional<E> Part::*field, const Table& table) {
   return kept(
       field, [&table](const std::string& t) { return parse_named(table, t); },
       [&table](const E& e) { return std::string(name_of(table, e)); });

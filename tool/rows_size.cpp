@@ -324,14 +324,14 @@ void add_search_rows(std::vector<OptionRow>& rows) {
 
 void add_measure_rows(std::vector<OptionRow>& rows) {
   const FitOptions usual;
-  const std::string feature(name_of(kFeatures, usual.feature));
+  const std::string feature(name_of(feature_names(), usual.feature));
   rows.push_back(
       {.names = "--feature",
-       .value = one_of(kFeatures),
+       .value = one_of(feature_names()),
        .uses = {{kFit, kKnots, "Feature measure of the criterion and of insertion; default " + feature},
                 {kCompare, kCompared, "Feature measure of methods that have one; default " + feature},
                 {kCurve, kKnots, "Feature measure of methods that have one; default " + feature}},
-       .holds = named(&FitChoices::feature, kFeatures),
+       .holds = named(&FitChoices::feature, feature_names()),
        .stored = {.form = Form::text, .usual = feature, .filled = true}});
   const std::string file =
       "A feature measure of your own, in place of --feature: a grid, or points x,y,z or u,v,z in the data's "

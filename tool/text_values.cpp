@@ -296,6 +296,15 @@ std::string to_text(const MeasureValue& measure) {
   return fmt::format("{}%", 100 * measure.share);
 }
 
+const std::vector<Named<FeatureMeasure>>& feature_names() {
+  static const std::vector<Named<FeatureMeasure>> names = [] {
+    std::vector<Named<FeatureMeasure>> all;
+    for (const FeatureMeasureInfo& row : feature_measures()) all.push_back({row.measure, row.name});
+    return all;
+  }();
+  return names;
+}
+
 std::string number_text(double number) {
   return fmt::format("{}", number);
 }
