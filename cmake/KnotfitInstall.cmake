@@ -52,22 +52,19 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
 if(TARGET knotfit_tool)
   install(TARGETS knotfit_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
   # Completions go where each shell looks for them; a file a shell, named as the shell wants it.
-  set(tool ${PROJECT_SOURCE_DIR}/tool)
   foreach(place
-      "man/knotfit.1|${CMAKE_INSTALL_MANDIR}/man1"
-      "completion/knotfit.bash|${CMAKE_INSTALL_DATADIR}/bash-completion/completions|knotfit"
-      "completion/_knotfit|${CMAKE_INSTALL_DATADIR}/zsh/site-functions"
-      "completion/knotfit.fish|${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+      "knotfit.1|${CMAKE_INSTALL_MANDIR}/man1"
+      "knotfit.bash|${CMAKE_INSTALL_DATADIR}/bash-completion/completions|knotfit"
+      "_knotfit|${CMAKE_INSTALL_DATADIR}/zsh/site-functions"
+      "knotfit.fish|${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
     string(REPLACE "|" ";" place ${place})
-    list(GET place 0 file)
+    list(GET place 0 name)
+    set(file ${PROJECT_BINARY_DIR}/tool/pages/${name})
     list(GET place 1 folder)
-    get_filename_component(name ${file} NAME)
     list(LENGTH place parts)
     if(parts GREATER 2)
       list(GET place 2 name)
     endif()
-    if(EXISTS ${tool}/${file})
-      install(FILES ${tool}/${file} DESTINATION ${folder} RENAME ${name} COMPONENT runtime)
-    endif()
+    install(FILES ${file} DESTINATION ${folder} RENAME ${name} COMPONENT runtime)
   endforeach()
 endif()

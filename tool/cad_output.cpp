@@ -11,8 +11,6 @@
 namespace knotfit::tool {
 namespace {
 
-constexpr ToleranceValue kTolerance{0.001, true};  ///< of --cad-safe: far below any tolerance of a fit
-
 double net_diagonal(const Surface& s) {
   double squared = 0;
   for (int d = 0; d < 3; ++d) {
@@ -33,7 +31,7 @@ CadFormat format_of(const OutputFile& file, const CadChoices& choices) {
 
 std::vector<Surface> faces_of(const Surface& surface, const CadChoices& choices) {
   if (!choices.safe.value_or(false)) return {surface};
-  const ToleranceValue tolerance = choices.tolerance.value_or(kTolerance);
+  const ToleranceValue tolerance = choices.tolerance.value_or(kDefaultCadTolerance);
   CadSafe safe;
   safe.tolerance = tolerance.relative ? tolerance.value / 100 * net_diagonal(surface) : tolerance.value;
   return cad_safe(surface, safe);

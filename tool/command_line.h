@@ -14,8 +14,8 @@ class UsageError : public std::runtime_error {
 };
 
 struct ParsedCommandLine {
-  std::optional<CommandLine> run;  ///< absent where only `text` was asked for
-  std::string text;                ///< help or version, for standard output
+  std::optional<Arguments> run;  ///< absent where only `text` was asked for
+  std::string text;              ///< help or version, for standard output
 };
 
 /// \throws UsageError  the message names the option and where help is

@@ -4,40 +4,27 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 
 #include "nearest_name.h"
+#include "option_rows.h"
 namespace knotfit::tool {
 namespace {
 
 constexpr std::size_t kColumn = 34;  // where descriptions begin
 
-// Of each command with many options those that most people need, fifteen: what --help shows.
-struct ShortHelp {
-  std::string_view command;
-  std::array<std::string_view, 15> options;
-};
-constexpr ShortHelp kShort[] = {
-    {"fit",
-     {"tol", "within", "control-points", "degree", "time-limit", "knots", "input-format", "columns", "nodata",
-      "height-field", "base", "output", "force", "json", "quiet"}},
-    {"compare",
-     {"sizes", "tolerances", "methods", "within", "degree", "max-control-points", "input-format", "columns",
-      "nodata", "height-field", "base", "output", "force", "json", "quiet"}},
-    {"fit-curve",
-     {"tol", "within", "control-points", "degree", "knots", "compare", "input-format", "columns", "closed",
-      "function", "corrected", "output", "force", "json", "quiet"}},
-};
+const CommandRow* find_command(const CLI::App& app) {
+  for (const CommandRow& command : command_rows())
+    if (command.name == app.get_name()) return &command;
+  return nullptr;
+}
 
 bool in_short_help(const CLI::App& app, const CLI::Option& option) {
-  if (&option == app.get_help_ptr() || &option == app.get_help_all_ptr()) return true;
-  for (const ShortHelp& one : kShort)
-    if (one.command == app.get_name()) {
-      for (const std::string& name : option.get_lnames())
-        if (std::find(one.options.begin(), one.options.end(), name) != one.options.end()) return true;
-      return false;
-    }
-  return true;
+  const CommandRow* command = find_command(app);
+  if (command == nullptr || (only(command->command) & kShortHelp) == 0) return true;
+  for (const OptionRow* row : rows_of(command->command))
+    if (row->name().substr(2) == option.get_lnames().front())
+      return (row->first & only(command->command)) != 0;
+  return true;  // the help itself
 }
 
 class HelpFormatter : public CLI::Formatter {

@@ -3,15 +3,15 @@
 #include "options.h"
 namespace knotfit::tool {
 
-int run_fit(const FitArguments& arguments);
-int run_compare(const CompareArguments& arguments);
-int run_fit_curve(const CurveArguments& arguments);
-int run_parameterize(const ParameterizeArguments& arguments);
-int run_eval(const EvalArguments& arguments);
-int run_distance(const DistanceArguments& arguments);
-int run_info(const InfoArguments& arguments);
-int run_convert(const ConvertArguments& arguments);
-int run_methods(const ListArguments& arguments);
-int run_formats(const ListArguments& arguments);
+int run_fit(const Arguments& arguments);
+int run_compare(const Arguments& arguments);
+int run_fit_curve(const Arguments& arguments);
+int run_parameterize(const Arguments& arguments);
+int run_eval(const Arguments& arguments);
+int run_distance(const Arguments& arguments);
+int run_info(const Arguments& arguments);
+int run_convert(const Arguments& arguments);
+int run_methods(const Arguments& arguments);
+int run_formats(const Arguments& arguments);
 
 }  // namespace knotfit::tool

@@ -44,12 +44,12 @@ std::optional<Raster> fitted_grid(const SurfaceDocument& document) {
   }
 }
 
-Raster heights(const SurfaceDocument& document, const ConvertArguments& arguments, const std::string& path) {
+Raster heights(const SurfaceDocument& document, const Arguments& arguments, const std::string& path) {
   if (!document.height_field)
     throw InvalidInput(path + ": holds heights over x, y, but the surface is not a height field");
   std::optional<Raster> grid;
-  if (arguments.cell)
-    grid = grid_over(document.map, *arguments.cell);
+  if (arguments.choices.cell)
+    grid = grid_over(document.map, *arguments.choices.cell);
   else
     grid = fitted_grid(document);
   if (!grid) throw InvalidInput(path + ": needs --cell SIZE, since the surface was not fitted to a raster");
@@ -64,13 +64,13 @@ std::string picture_title(const SurfaceDocument& document, const std::string& pa
                      s.degree_v());
 }
 
-void convert_surface(const ConvertArguments& arguments, const std::vector<OutputFile>& files) {
-  refuse_data_options(arguments.read.given, "a surface: it says how data is read");
-  std::vector<std::string> given = arguments.read.given;
+void convert_surface(const Arguments& arguments, const std::vector<OutputFile>& files) {
+  refuse_data_options(arguments.choices.input.given, "a surface: it says how data is read");
+  std::vector<std::string> given = arguments.choices.input.given;
   if (is_cad_file(arguments.input)) std::erase(given, "--unit");  // that of the input
   refuse_idle_output_options(given, files);
   const SurfaceDocument document =
-      read_one_surface(arguments.input, {.unit = arguments.cad.unit, .face = arguments.face});
+      read_one_surface(arguments.input, {.unit = arguments.choices.cad.unit, .face = arguments.source.face});
   const bool force = arguments.output.force;
   for (const OutputFile& file : files) {
     switch (file.kind) {
@@ -78,7 +78,7 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
         write_text_file(file.path, force, to_json(document));
         break;
       case OutputKind::table: {
-        const Places places = grid_places(document.map, arguments.grid.value_or(IntegerPair{100, 100}));
+        const Places places = grid_places(document.map, arguments.grid.value_or(kConvertGrid));
         write_text_file(file.path, force,
                         to_csv(sample(document, places, parameters_of(places, document.map, true), {})));
         break;
@@ -88,10 +88,11 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
         break;
       case OutputKind::mesh:
         write_surface_mesh(file, force, document.surface, document.map, document.height_field,
-                           arguments.samples.value_or(kSamplesPerSpan), nullptr, {});
+                           arguments.choices.samples.value_or(kSamplesPerSpan), nullptr, {});
         break;
       case OutputKind::cad:
-        write_cad_file(file, force, document.surface, document.map, document.height_field, arguments.cad);
+        write_cad_file(file, force, document.surface, document.map, document.height_field,
+                       arguments.choices.cad);
         break;
       case OutputKind::picture: {
         PictureInput picture;
@@ -107,10 +108,10 @@ void convert_surface(const ConvertArguments& arguments, const std::vector<Output
 
 // Data has no JSON: standard output gets its points.
 /// \return what was done with the input, for the summary
-std::string convert_data(const ConvertArguments& arguments, std::vector<OutputFile> files) {
+std::string convert_data(const Arguments& arguments, std::vector<OutputFile> files) {
   for (OutputFile& file : files)
     if (is_dash(file.path)) file.kind = OutputKind::table;
-  refuse_given(arguments.read.given,
+  refuse_given(arguments.choices.input.given,
                {"--face", "--cell", "--samples", "--reflections", "--grid", "--unit", "--name",
                 "--step-schema", "--cad-safe", "--cad-tol"},
                "data: it is for surfaces");
@@ -119,7 +120,7 @@ std::string convert_data(const ConvertArguments& arguments, std::vector<OutputFi
       throw InvalidInput(fmt::format(
           "{}: data becomes .csv, .asc or .grd, and a mesh .obj or .ply; a {} needs a surface: knotfit fit",
           file.path, file.extension));
-  InputOptions options = arguments.read;
+  InputOptions options = arguments.choices.input;
   options.keep_parameters = true;
   const SourceData data = read_input(arguments.input, options);
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
@@ -141,10 +142,10 @@ std::string convert_data(const ConvertArguments& arguments, std::vector<OutputFi
 
 }  // namespace
 
-int run_convert(const ConvertArguments& arguments) {
+int run_convert(const Arguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   std::string text;
-  if (holds_surfaces(arguments.input, arguments.read))
+  if (holds_surfaces(arguments.input, arguments.choices.input))
     convert_surface(arguments, files);
   else
     text = convert_data(arguments, files);

@@ -232,7 +232,7 @@ std::string curve_table(const std::vector<CurveRow>& rows) {
   return text;
 }
 
-std::string curve_rows_json(const std::vector<CurveRow>& rows, const CurveArguments& arguments,
+std::string curve_rows_json(const std::vector<CurveRow>& rows, const Arguments& arguments,
                             const Reading& reading, bool stopped) {
   Json list = Json::array();
   for (const CurveRow& row : rows) {

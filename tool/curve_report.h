@@ -13,7 +13,7 @@ namespace knotfit::tool {
 struct CurveReport {
   const CurveFitResult& result;
   const CurvePoints& points;
-  const CurveArguments& arguments;
+  const Arguments& arguments;
   const Reading& reading;
   double seconds = 0;
   std::vector<std::string> outputs{};  ///< files written
@@ -36,7 +36,7 @@ struct CurveRow {
   double seconds = 0;
 };
 std::string curve_table(const std::vector<CurveRow>& rows);
-std::string curve_rows_json(const std::vector<CurveRow>& rows, const CurveArguments& arguments,
+std::string curve_rows_json(const std::vector<CurveRow>& rows, const Arguments& arguments,
                             const Reading& reading, bool stopped);
 
 }  // namespace knotfit::tool

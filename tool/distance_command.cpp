@@ -88,7 +88,7 @@ std::string to_text(const char* title, const DistanceSummary& s, const Parameter
   return text + "\n";
 }
 
-std::vector<OutputFile> table_outputs(const DistanceArguments& arguments) {
+std::vector<OutputFile> table_outputs(const Arguments& arguments) {
   std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.data);
   for (const OutputFile& file : files)
     if (file.kind != OutputKind::table) throw InvalidInput(file.path + ": distance writes .csv");
@@ -113,7 +113,7 @@ Table table_of_distances(const std::vector<double>& points, const PointDistances
 
 }  // namespace
 
-int run_distance(const DistanceArguments& arguments) {
+int run_distance(const Arguments& arguments) {
   const std::vector<OutputFile> files = table_outputs(arguments);
   StopOnSignal stop;  // before the library's threads
   set_thread_count(arguments.threads);
@@ -121,23 +121,24 @@ int run_distance(const DistanceArguments& arguments) {
   terminal.report({.stage = "read"});
   const Control control = terminal.control(stop.token());
 
-  refuse_idle_surface_options(arguments.surface, arguments.source);
-  const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
+  refuse_idle_surface_options(arguments.input, arguments.source);
+  const SurfaceDocument document = read_one_surface(arguments.input, arguments.source);
   const Surface surface = surface_in_space(
       document, fmt::format("{}: the surface has {} coordinates; distances are of surfaces in space",
-                            arguments.surface, document.surface.dimension()));
-  const SourceData data = read_input(arguments.data, arguments.input);
+                            arguments.input, document.surface.dimension()));
+  const SourceData data = read_input(arguments.data, arguments.choices.input);
   if (!std::holds_alternative<Mesh>(data.content))
-    refuse_given(arguments.input.given, {"--samples"},
+    refuse_given(arguments.choices.input.given, {"--samples"},
                  "points: it is for the distance from the surface to a mesh");
   const std::vector<double> points = points_of(data);
   PointDistances distances;
   DistanceSummary back;
   const Mesh* mesh = std::get_if<Mesh>(&data.content);
-  const bool both = mesh != nullptr && arguments.samples > 0;
+  const bool both = mesh != nullptr && arguments.surface_samples > 0;
   try {
     distances = point_distances(surface, points, {}, {}, control);
-    if (both && !distances.stopped) back = mesh_distances(surface, *mesh, {}, arguments.samples, control);
+    if (both && !distances.stopped)
+      back = mesh_distances(surface, *mesh, {}, arguments.surface_samples, control);
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(arguments.data) + ": " + e.what());
   }
@@ -146,21 +147,22 @@ int run_distance(const DistanceArguments& arguments) {
 
   const double diagonal = diagonal_of(points);
   double tolerance = 0, within = 1;
-  if (arguments.tolerance) {
-    tolerance = arguments.tolerance->value * (arguments.tolerance->relative ? diagonal / 100 : 1);
+  if (arguments.choices.tolerance) {
+    tolerance =
+        arguments.choices.tolerance->value * (arguments.choices.tolerance->relative ? diagonal / 100 : 1);
     within = share_within(distances, tolerance);
   }
   for (const OutputFile& file : files)
     write_text_file(file.path, arguments.output.force,
                     to_csv(table_of_distances(points, distances, document.map)));
   if (arguments.json) {
-    Json j = {{"surface", arguments.surface},
+    Json j = {{"surface", arguments.input},
               {"data", arguments.data},
               {"diagonal", diagonal},
               {"points_to_surface", to_json(distances.summary, document.map)},
               {"surface_to_mesh", both ? to_json(back, document.map) : Json(nullptr)},
-              {"tolerance", arguments.tolerance ? Json(tolerance) : Json(nullptr)},
-              {"share_within", arguments.tolerance ? Json(within) : Json(nullptr)},
+              {"tolerance", arguments.choices.tolerance ? Json(tolerance) : Json(nullptr)},
+              {"share_within", arguments.choices.tolerance ? Json(within) : Json(nullptr)},
               {"outputs", arguments.output.paths},
               {"notes", data.notes}};
     if (!data.columns.empty()) j["columns"] = data.columns, j["columns_from"] = data.columns_from;
@@ -173,7 +175,7 @@ int run_distance(const DistanceArguments& arguments) {
     if (both)
       text += to_text(fmt::format("surface to the mesh, from {} samples", back.count).c_str(), back,
                       document.map, diagonal, false);
-    if (arguments.tolerance)
+    if (arguments.choices.tolerance)
       text += fmt::format("within {:.6g}: {:.6g} % of the points\n", tolerance, 100 * within);
     text += notes_to_text(reading);
     text += wrote(files);

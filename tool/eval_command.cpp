@@ -80,15 +80,15 @@ Json differences_json(const Places& places, const ErrorSummary& e) {
           {"worst", std::move(worst)}};
 }
 
-std::vector<IntegerPair> wanted_derivatives(const EvalArguments& arguments) {
+std::vector<IntegerPair> wanted_derivatives(const Arguments& arguments) {
   std::vector<IntegerPair> orders = arguments.derivatives;
   for (int total = 1; total <= arguments.derivatives_up_to.value_or(0); ++total)
     for (int b = 0; b <= total; ++b) orders.push_back({total - b, b});
   return orders;
 }
 
-std::vector<OutputFile> table_outputs(const EvalArguments& arguments) {
-  std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.surface);
+std::vector<OutputFile> table_outputs(const Arguments& arguments) {
+  std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   for (const OutputFile& file : files)
     if (file.kind != OutputKind::table)
       throw InvalidInput(file.path + ": eval writes .csv; knotfit convert writes other formats");
@@ -97,16 +97,16 @@ std::vector<OutputFile> table_outputs(const EvalArguments& arguments) {
 
 }  // namespace
 
-int run_eval(const EvalArguments& arguments) {
+int run_eval(const Arguments& arguments) {
   set_thread_count(arguments.threads);
   const std::vector<OutputFile> files = table_outputs(arguments);
-  refuse_idle_surface_options(arguments.surface, arguments.source);
+  refuse_idle_surface_options(arguments.input, arguments.source);
   if (arguments.points.empty()) {
     const std::string what = "places without a file: it says how --points is read";
-    refuse_data_options(arguments.input.given, what);
-    refuse_given(arguments.input.given, {"--input-format"}, what);
+    refuse_data_options(arguments.choices.input.given, what);
+    refuse_given(arguments.choices.input.given, {"--input-format"}, what);
   }
-  const SurfaceDocument document = read_one_surface(arguments.surface, arguments.source);
+  const SurfaceDocument document = read_one_surface(arguments.input, arguments.source);
   const Places places = find_places(arguments, document);
   const std::vector<double> uv = parameters_of(places, document.map, arguments.clamp);
 

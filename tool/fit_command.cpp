@@ -21,6 +21,7 @@
 #include "mesh_outputs.h"
 #include "options_json.h"
 #include "outputs.h"
+#include "remedy_words.h"
 #include "sampling.h"
 #include "signals.h"
 #include "standard_streams.h"
@@ -29,8 +30,6 @@
 #include "text_values.h"
 namespace knotfit::tool {
 namespace {
-
-constexpr ToleranceValue kDefaultTolerance{0.1, true};
 
 void check_method(const std::string& method) {
   std::string names;
@@ -42,8 +41,9 @@ void check_method(const std::string& method) {
 }
 
 // The options in force: the command line, then what --options stored, then the defaults.
-FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
-  FitChoices c = arguments.choices;
+FitChoices complete(const Arguments& arguments, bool& default_tolerance) {
+  Arguments completed = arguments;
+  FitChoices& c = completed.choices;
   if (!arguments.knots_from.empty()) {
     const Surface surface = read_one_surface(arguments.knots_from, {}).surface;
     const auto unit = [](const KnotVector& k) { return k.is_clamped() && k.first() == 0 && k.last() == 1; };
@@ -52,32 +52,12 @@ FitChoices complete(const FitArguments& arguments, bool& default_tolerance) {
     c.knots = KnotSource{"", InteriorKnots{surface.knots_u().interior(), surface.knots_v().interior()}};
     if (!c.degree) c.degree = IntegerPair{surface.degree_u(), surface.degree_v()};
   }
-  if (!arguments.options_from.empty()) add_stored_options(c, arguments.options_from);
+  if (!arguments.options_from.empty()) add_stored_options(completed, arguments.options_from);
   if (c.control_points && c.control_points->first == 0) c.control_points.reset();
-  if (!c.knots) c.knots = KnotSource{FitOptions{}.method, std::nullopt};
+  add_usual_options(completed);
   if (!c.knots->given) check_method(c.knots->method);
   default_tolerance = !c.tolerance && !c.control_points && !c.knots->given;
   if (default_tolerance) c.tolerance = kDefaultTolerance;
-  if (!c.measure) c.measure = MeasureValue{};
-  if (!c.degree) c.degree = IntegerPair{3, 3};
-  if (!c.shear) c.shear = ShearChoice{};
-  if (!c.refine) c.refine = RefineRoute::search;
-  if (!c.effort) c.effort = FitOptions{}.effort;
-  if (!c.guard) c.guard = FitOptions{}.guard;
-  if (!c.feature) c.feature = FeatureMeasure::hessian;
-  if (!c.smoothing) c.smoothing = FitOptions{}.smoothing;
-  if (!c.between) c.between = true;
-  if (!c.height_field) c.height_field = false;
-  if (!c.spacing) c.spacing = RowSpacing::chord;
-  if (!c.rescale_parameters) c.rescale_parameters = false;
-  if (!c.duplicates) c.duplicates = DuplicateRule::fail;
-  for (auto* flag : {&c.fill_holes, &c.largest_part, &c.orient, &c.drop_degenerate, &c.new_parameters})
-    if (!*flag) *flag = false;
-  if (!c.correct) c.correct = -1;
-  if (!c.fairness) c.fairness = 1;
-  if (!c.corners) c.corners = "auto";
-  if (!c.base) c.base = "auto";
-  if (!c.samples) c.samples = kSamplesPerSpan;
   return c;
 }
 
@@ -316,7 +296,7 @@ int exit_status(const FitResult& result) {
 
 // Those that act on outputs of their kind alone. The others are stored in the surface's JSON and in --json, to be
 // repeated where such an output is asked for.
-std::vector<std::string> options_of_outputs(const FitArguments& arguments,
+std::vector<std::string> options_of_outputs(const Arguments& arguments,
                                             const std::vector<OutputFile>& files) {
   std::vector<std::string> given = arguments.choices.input.given;
   if (arguments.json || asks_for(files, OutputKind::surface))
@@ -330,7 +310,7 @@ void complain(const std::string& message) {
 
 }  // namespace
 
-int run_fit(const FitArguments& arguments) {
+int run_fit(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   bool default_tolerance = false;
   const FitChoices choices = complete(arguments, default_tolerance);
@@ -389,6 +369,7 @@ int run_fit(const FitArguments& arguments) {
     }
     find_loose_feet(input, result.surface);
     judge_all_points(result, errors_of_all(result, input));
+    put_in_tool_words(result);
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }

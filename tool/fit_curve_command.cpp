@@ -13,6 +13,7 @@
 #include "knotfit/io.h"
 #include "knotfit/parameterize_curve.h"
 #include "knotfit/threads.h"
+#include "remedy_words.h"
 #include "signals.h"
 #include "standard_streams.h"
 #include "terminal_progress.h"
@@ -25,21 +26,21 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-CurveFitOptions curve_options(const CurveArguments& arguments) {
+CurveFitOptions curve_options(const Arguments& arguments) {
   const FitChoices& c = arguments.choices;
   CurveFitOptions options;
-  options.control_points = arguments.control_points;
-  options.knots = arguments.knots;
+  if (c.control_points) options.control_points = c.control_points->first;
+  options.knots = arguments.knots_t;
   // Of a closed curve the seam is a knot of its own.
   if (options.knots && arguments.closed) options.knots->insert(options.knots->begin(), 0.0);
   if (c.tolerance || (options.control_points == 0 && !options.knots)) {
-    const ToleranceValue t = c.tolerance.value_or(ToleranceValue{0.1, true});
+    const ToleranceValue t = c.tolerance.value_or(kDefaultTolerance);
     const MeasureValue m = c.measure.value_or(MeasureValue{});
     options.tolerance =
         ToleranceRequest{.value = t.value, .relative = t.relative, .measure = m.measure, .share = m.share};
   }
   if (c.knots) options.method = c.knots->method;
-  options.degree = arguments.degree;
+  if (c.degree) options.degree = c.degree->first;
   options.corrections = arguments.corrected ? kCorrections : 0;
   options.max_control_points = static_cast<Index>(c.max_control_points.value_or(0));
   options.max_fits = c.max_fits.value_or(0);
@@ -49,7 +50,7 @@ CurveFitOptions curve_options(const CurveArguments& arguments) {
   return options;
 }
 
-CurvePoints read_points(const CurveArguments& arguments, Reading& reading) {
+CurvePoints read_points(const Arguments& arguments, Reading& reading) {
   const FitChoices& c = arguments.choices;
   ReadOptions read = read_options(c.input);
   read.places = read.curve = true;  // x, y alone
@@ -65,11 +66,11 @@ CurvePoints read_points(const CurveArguments& arguments, Reading& reading) {
 }
 
 /// Method by method, each a row; Ctrl-C keeps those that ended.
-int compare(const CurveArguments& arguments, const CurvePoints& points, const CurveFitOptions& options,
+int compare(const Arguments& arguments, const CurvePoints& points, const CurveFitOptions& options,
             const Reading& reading, const Control& control, TerminalProgress& terminal) {
   CompareOptions named;
   named.fit.user_features = options.user_features;
-  named.methods = arguments.compare;
+  named.methods = arguments.methods;
   named.sizes = {{4, 4}};
   std::vector<CurveRow> rows;
   for (const CompareRow& job : comparison_rows(named)) {
@@ -83,9 +84,10 @@ int compare(const CurveArguments& arguments, const CurvePoints& points, const Cu
     const auto start = std::chrono::steady_clock::now();
     try {
       row.result = fit_curve(points, one, control);
+      put_in_tool_words(row.result);
       if (row.result.status == Status::failed) row.failure = row.result.message;
     } catch (const InvalidInput& e) {
-      row.failure = e.what();
+      row.failure = in_tool_words(e.what());
     }
     row.seconds = seconds_since(start);
     if (control.stop.stop_requested()) break;
@@ -102,12 +104,12 @@ int compare(const CurveArguments& arguments, const CurvePoints& points, const Cu
 
 }  // namespace
 
-int run_fit_curve(const CurveArguments& arguments) {
+int run_fit_curve(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   for (const OutputFile& file : files) check_curve_output(file);
   refuse_idle_output_options(arguments.choices.input.given, files);
-  if (!arguments.compare.empty() && !files.empty())
+  if (!arguments.methods.empty() && !files.empty())
     throw InvalidInput("--compare prints a table; outputs (-o) are of one curve");
   StopOnSignal stop;
   set_thread_count(arguments.threads);
@@ -120,11 +122,12 @@ int run_fit_curve(const CurveArguments& arguments) {
   CurveFitOptions options = curve_options(arguments);
   if (arguments.choices.feature_file)
     options.user_features = read_curve_feature_file(*arguments.choices.feature_file, points);
-  if (!arguments.compare.empty()) return compare(arguments, points, options, reading, control, terminal);
+  if (!arguments.methods.empty()) return compare(arguments, points, options, reading, control, terminal);
 
   CurveFitResult result;
   try {
     result = fit_curve(points, options, control);
+    put_in_tool_words(result);
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(arguments.input) + ": " + e.what());
   }

@@ -14,6 +14,7 @@
 #include "knotfit/io.h"
 #include "knotfit/mesh_parameters.h"
 #include "outputs.h"
+#include "remedy_words.h"
 #include "standard_streams.h"
 #include "surface_file.h"
 #include "text_values.h"
@@ -101,7 +102,7 @@ DataFacts facts_of(const Mesh& mesh) {
   try {
     require_disk(mesh);
   } catch (const InvalidInput& e) {
-    facts.problem = e.what() + weld_hint(mesh);
+    facts.problem = in_tool_words(e.what()) + weld_hint(mesh);
   }
   facts.counts = {{"vertices", mesh.vertex_count()},
                   {"triangles", mesh.face_count()},
@@ -135,9 +136,9 @@ DataFacts facts_of(const SourceData& data) {
   return facts;
 }
 
-std::string data_info(const InfoArguments& arguments) {
+std::string data_info(const Arguments& arguments) {
   Index welded = 0;
-  const SourceData data = read_input(arguments.file, arguments.input, false, &welded);
+  const SourceData data = read_input(arguments.input, arguments.choices.input, false, &welded);
   const DataFacts facts = facts_of(data);
   const Raster* raster = std::get_if<Raster>(&data.content);
   if (arguments.json) {
@@ -274,15 +275,15 @@ Json faces_json(const std::vector<FileFace>& faces) {
   return j;
 }
 
-std::string surfaces_info(const InfoArguments& arguments) {
-  const bool cad = is_cad_file(arguments.file);
+std::string surfaces_info(const Arguments& arguments) {
+  const bool cad = is_cad_file(arguments.input);
   std::vector<FileFace> faces;
   if (arguments.source.face)
-    faces.push_back({read_one_surface(arguments.file, arguments.source), "B-spline surface", "", false});
+    faces.push_back({read_one_surface(arguments.input, arguments.source), "B-spline surface", "", false});
   else
-    faces = read_faces(arguments.file, arguments.source);
+    faces = read_faces(arguments.input, arguments.source);
   const auto described = [&](const FileFace& face) {
-    Json j = surface_json(*face.document, arguments.file);
+    Json j = surface_json(*face.document, arguments.input);
     if (cad) j["unit"] = name_of(kUnits, arguments.source.unit.value_or(CadUnit::millimetre));
     if (cad) j["trimmed"] = face.trimmed;
     return j;
@@ -290,7 +291,7 @@ std::string surfaces_info(const InfoArguments& arguments) {
   const bool one = faces.size() == 1 && faces[0].document;
   if (arguments.json && one) return described(faces[0]).dump() + "\n";
   if (arguments.json) {
-    Json j = {{"kind", "surfaces"}, {"path", arguments.file}, {"surfaces", Json::array()}};
+    Json j = {{"kind", "surfaces"}, {"path", arguments.input}, {"surfaces", Json::array()}};
     for (std::size_t k = 0; k < faces.size(); ++k)
       if (faces[k].document) {
         j["surfaces"].push_back(described(faces[k]));
@@ -303,11 +304,11 @@ std::string surfaces_info(const InfoArguments& arguments) {
   const auto usable =
       std::count_if(faces.begin(), faces.end(), [](const FileFace& f) { return f.document.has_value(); });
   if (!one)
-    text = fmt::format("{}: {} face{}, {} usable\n", input_name(arguments.file), faces.size(),
+    text = fmt::format("{}: {} face{}, {} usable\n", input_name(arguments.input), faces.size(),
                        faces.size() == 1 ? "" : "s", usable);
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    text += one ? surface_text(*faces[k].document, input_name(arguments.file))
-                : face_text(faces[k], arguments.file, k + 1);
+    text += one ? surface_text(*faces[k].document, input_name(arguments.input))
+                : face_text(faces[k], arguments.input, k + 1);
     if (faces[k].document && faces[k].trimmed) text += std::string(kTrimmed) + "\n";
   }
   if (cad)
@@ -317,13 +318,13 @@ std::string surfaces_info(const InfoArguments& arguments) {
 
 }  // namespace
 
-int run_info(const InfoArguments& arguments) {
-  const bool surfaces = holds_surfaces(arguments.file, arguments.input);
+int run_info(const Arguments& arguments) {
+  const bool surfaces = holds_surfaces(arguments.input, arguments.choices.input);
   if (surfaces) {
-    refuse_data_options(arguments.input.given, "a surface: it says how data is read");
-    refuse_idle_surface_options(arguments.file, arguments.source);
+    refuse_data_options(arguments.choices.input.given, "a surface: it says how data is read");
+    refuse_idle_surface_options(arguments.input, arguments.source);
   } else {
-    refuse_given(arguments.input.given, {"--unit", "--face"},
+    refuse_given(arguments.choices.input.given, {"--unit", "--face"},
                  "data: it is for surfaces of STEP and IGES files");
   }
   print(surfaces ? surfaces_info(arguments) : data_info(arguments));

@@ -11,6 +11,7 @@
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
 #include "parameterize/table_checks.h"
+#include "remedy_words.h"
 #include "standard_streams.h"
 #include "welding.h"
 namespace knotfit::tool {
@@ -131,7 +132,9 @@ void note_strays(FitInput& input) {
 }  // namespace
 
 SourceData read_source(const std::string& path, const ReadOptions& options) {
-  return is_dash(path) ? read_bytes(standard_input(), options) : read_data(path, options);
+  SourceData data = is_dash(path) ? read_bytes(standard_input(), options) : read_data(path, options);
+  for (std::string& note : data.notes) note = in_tool_words(note);
+  return data;
 }
 
 ReadOptions read_options(const InputOptions& options) {

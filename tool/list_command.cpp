@@ -12,7 +12,7 @@ namespace knotfit::tool {
 
 using Json = nlohmann::ordered_json;
 
-int run_methods(const ListArguments& arguments) {
+int run_methods(const Arguments& arguments) {
   std::string text;
   Json list = Json::array();
   std::size_t width = 0;
@@ -31,7 +31,7 @@ int run_methods(const ListArguments& arguments) {
   return kReached;
 }
 
-int run_formats(const ListArguments& arguments) {
+int run_formats(const Arguments& arguments) {
   std::string text;
   Json list = Json::array();
   for (const FormatInfo& f : all_formats()) {

@@ -10,39 +10,40 @@
 #include "exit_status.h"
 #include "knotfit/exceptions.h"
 #include "outputs.h"
+#include "remedy_words.h"
 namespace {
 
 using namespace knotfit;
 using namespace knotfit::tool;
 
-int run(const CommandLine& line) {
-  switch (line.command) {
+int run(const Arguments& arguments) {
+  switch (arguments.command) {
     case Command::fit:
-      return run_fit(line.fit);
+      return run_fit(arguments);
     case Command::compare:
-      return run_compare(line.compare);
+      return run_compare(arguments);
     case Command::fit_curve:
-      return run_fit_curve(line.fit_curve);
+      return run_fit_curve(arguments);
     case Command::parameterize:
-      return run_parameterize(line.parameterize);
+      return run_parameterize(arguments);
     case Command::eval:
-      return run_eval(line.eval);
+      return run_eval(arguments);
     case Command::distance:
-      return run_distance(line.distance);
+      return run_distance(arguments);
     case Command::info:
-      return run_info(line.info);
+      return run_info(arguments);
     case Command::convert:
-      return run_convert(line.convert);
+      return run_convert(arguments);
     case Command::methods:
-      return run_methods(line.list);
+      return run_methods(arguments);
     case Command::formats:
-      return run_formats(line.list);
+      return run_formats(arguments);
   }
   return kOther;
 }
 
 int fail(int status, const std::string& message) {
-  std::fprintf(stderr, "knotfit: %s\n", message.c_str());
+  std::fprintf(stderr, "knotfit: %s\n", in_tool_words(message).c_str());
   return status;
 }
 

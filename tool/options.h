@@ -9,6 +9,7 @@
 
 #include "knotfit/cad.h"
 #include "knotfit/features.h"
+#include "knotfit/map_picture.h"
 #include "knotfit/parameterize.h"
 #include "knotfit/parameterize_cloud.h"
 #include "knotfit/parameterize_mesh.h"
@@ -23,6 +24,11 @@ struct ToleranceValue {
   bool relative = false;
 };
 
+/// Where neither a tolerance nor a size nor knots are given.
+inline constexpr ToleranceValue kDefaultTolerance{0.1, true};
+/// Of --cad-safe: far below any tolerance of a fit.
+inline constexpr ToleranceValue kDefaultCadTolerance{0.001, true};
+
 /// What counts as the error: --rms, --within, default max.
 struct MeasureValue {
   ErrorMeasure measure = ErrorMeasure::max;
@@ -32,6 +38,9 @@ struct MeasureValue {
 struct IntegerPair {
   int first = 0, second = 0;
 };
+
+/// Places of a .csv output of convert.
+inline constexpr IntegerPair kConvertGrid{100, 100};
 
 /// Where knots come from: a method by name, or given interior knots.
 struct KnotSource {
@@ -136,118 +145,45 @@ struct OutputOptions {
   bool force = false;
 };
 
-struct FitArguments {
-  std::string input;
-  FitChoices choices;
+enum class Command { fit, compare, fit_curve, parameterize, eval, distance, info, convert, methods, formats };
+
+/// What the command line asks for. Each command has the options that its rows give it (option_rows.h); the others are as
+/// they are here.
+struct Arguments {
+  Command command = Command::fit;
+  std::string input;         ///< the file, or the first of two
+  std::string data;          ///< distance: the second
+  FitChoices choices;        ///< with how a file is read, and what CAD outputs are like
+  SurfaceChoices source;     ///< where a surface is read: of convert the unit is that of `choices.cad`
+  OutputOptions output;      ///< compare: one folder
+  bool reflections = false;  ///< in pictures
+  bool names = false;        ///< lists: names alone, one a line, for shell completion
+  bool json = false, quiet = false;
+  int threads = 0;
+  std::optional<IntegerPair> grid;  ///< eval: places; convert: those of a .csv output
+
+  // fit
   std::string knots_from;    ///< surface file whose knots (and degree) are used
   std::string options_from;  ///< file whose stored options are repeated
-  OutputOptions output;
-  bool reflections = false;  ///< in pictures
-  int threads = 0;
-  bool quiet = false, json = false;
-};
-
-/// Only the choices on reading, repairing and mapping a mesh count.
-struct ParameterizeArguments {
-  std::string input;
-  FitChoices choices;
-  bool newton = true;  ///< false: mean value map
-  int lines = 20;      ///< parts between parameter lines in a picture
-  OutputOptions output;
-  int threads = 0;
-  bool quiet = false, json = false;
-};
-
-/// Of the choices only those on reading, mapping, degree, smoothing, features and what counts as the error.
-struct CompareArguments {
-  std::string input;
-  FitChoices choices;
+  // compare, and fit-curve with a table
   std::vector<IntegerPair> sizes;
   std::vector<ToleranceValue> tolerances;
-  std::vector<std::string> methods;  ///< empty: all
-  std::string folder;                ///< of the outputs; empty: none
-  int threads = 0;
-  bool force = false, quiet = false, json = false;
-};
-
-/// Of the choices those on tolerance, method, features, reading, spacing and CAD.
-struct CurveArguments {
-  std::string input;
-  FitChoices choices;
-  int degree = 3;
-  int control_points = 0;
-  std::optional<std::vector<double>> knots;
-  std::vector<std::string> compare;  ///< methods of a table; empty: one curve
+  std::vector<std::string> methods;  ///< compare: empty is all; fit-curve: empty is one curve
+  // fit-curve; of its control points and degree the first counts
+  std::optional<std::vector<double>> knots_t;
   bool closed = false, function = false, corrected = false;
   Index block = 0;  ///< of a text, from 1; 0: there is one
-  OutputOptions output;
-  int threads = 0;
-  bool quiet = false, json = false;
-};
-
-struct EvalArguments {
-  std::string surface;
-  SurfaceChoices source;
+  // parameterize
+  bool newton = true;                   ///< false: mean value map
+  int lines = MapPictureInput{}.parts;  ///< parts between parameter lines in a picture
+  // eval
   std::vector<std::pair<double, double>> at;
   std::string points;
-  std::optional<IntegerPair> grid;
   std::vector<IntegerPair> derivatives;  ///< (a, b) orders
   std::optional<int> derivatives_up_to;
   bool normals = false, curvature = false, clamp = false;
-  InputOptions input;
-  OutputOptions output;
-  int threads = 0;
-  bool json = false;
-};
-
-struct DistanceArguments {
-  std::string surface, data;
-  SurfaceChoices source;
-  std::optional<ToleranceValue> tolerance;
-  int samples = 700;  ///< a direction; 0: the surface to a mesh is not measured
-  InputOptions input;
-  OutputOptions output;
-  int threads = 0;
-  bool quiet = false, json = false;
-};
-
-struct InfoArguments {
-  std::string file;
-  SurfaceChoices source;
-  InputOptions input;
-  bool json = false;
-};
-
-struct ConvertArguments {
-  std::string input;
-  std::optional<int> face;
-  CadChoices cad;  ///< the unit is that of the input too
-  InputOptions read;
-  std::optional<std::pair<double, double>> cell;
-  std::optional<IntegerPair> grid;
-  std::optional<int> samples;
-  OutputOptions output;
-  bool reflections = false;  ///< in pictures
-};
-
-struct ListArguments {
-  bool names = false;  ///< names alone, one a line: for shell completion
-  bool json = false;
-};
-
-enum class Command { fit, compare, fit_curve, parameterize, eval, distance, info, convert, methods, formats };
-
-struct CommandLine {
-  Command command = Command::fit;
-  FitArguments fit;
-  CompareArguments compare;
-  CurveArguments fit_curve;
-  ParameterizeArguments parameterize;
-  EvalArguments eval;
-  DistanceArguments distance;
-  InfoArguments info;
-  ConvertArguments convert;
-  ListArguments list;
+  // distance
+  int surface_samples = 700;  ///< a direction; 0: the surface to a mesh is not measured
 };
 
 }  // namespace knotfit::tool

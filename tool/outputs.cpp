@@ -15,6 +15,7 @@
 #include "knotfit/cad.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
+#include "remedy_words.h"
 #include "standard_streams.h"
 #include "text_values.h"
 namespace knotfit::tool {
@@ -206,7 +207,7 @@ int write_each(const std::vector<OutputFile>& files, const std::function<void(co
                std::vector<std::string>& written) {
   int status = kReached;
   const auto failed = [&](int with, const std::exception& e) {
-    std::fprintf(stderr, "knotfit: %s\n", e.what());
+    std::fprintf(stderr, "knotfit: %s\n", in_tool_words(e.what()).c_str());
     if (status == kReached || with == kOther) status = with;
   };
   for (const OutputFile& file : files) {

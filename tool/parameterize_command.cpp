@@ -44,8 +44,7 @@ void check_outputs(const std::vector<OutputFile>& files) {
 }
 
 // The mesh the map is linear on, with its lines.
-std::string picture_of(const MappedMesh& mapped, const ParameterizeArguments& arguments,
-                       const std::string& extension) {
+std::string picture_of(const MappedMesh& mapped, const Arguments& arguments, const std::string& extension) {
   const MeshMap& map = *mapped.map;
   const Mesh halved = halve_edges(mapped.mesh, map.halved_edges);
   const std::vector<double> uv = map.all_uv();
@@ -62,7 +61,7 @@ std::string picture_of(const MappedMesh& mapped, const ParameterizeArguments& ar
 
 }  // namespace
 
-int run_parameterize(const ParameterizeArguments& arguments) {
+int run_parameterize(const Arguments& arguments) {
   const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
   check_outputs(files);
   refuse_idle_output_options(arguments.choices.input.given, files);

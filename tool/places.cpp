@@ -35,11 +35,11 @@ Places of_table(PointTable table, const SurfaceDocument& document, const std::st
   return places;
 }
 
-Places of_file(const EvalArguments& arguments, const SurfaceDocument& document) {
+Places of_file(const Arguments& arguments, const SurfaceDocument& document) {
   const std::string& path = arguments.points;
-  if (auto places = read_places_alone(path, arguments.input, document.height_field))
+  if (auto places = read_places_alone(path, arguments.choices.input, document.height_field))
     return std::move(*places);
-  InputOptions options = arguments.input;
+  InputOptions options = arguments.choices.input;
   options.every_vertex = true;  // each is a place to look at
   SourceData data = read_input(path, options);
   Places places;
@@ -83,7 +83,7 @@ Places grid_places(const ParameterMap& map, IntegerPair counts) {
   return places;
 }
 
-Places find_places(const EvalArguments& arguments, const SurfaceDocument& document) {
+Places find_places(const Arguments& arguments, const SurfaceDocument& document) {
   if (!arguments.points.empty()) return of_file(arguments, document);
   if (arguments.grid) {
     if (static_cast<double>(arguments.grid->first) * arguments.grid->second > 1e8)

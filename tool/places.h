@@ -18,7 +18,7 @@ struct Places {
 
 /// The places of --at, --points or --grid; exactly one is given.
 /// \throws FileError, InvalidInput  the file has no places for this surface
-Places find_places(const EvalArguments& arguments, const SurfaceDocument& document);
+Places find_places(const Arguments& arguments, const SurfaceDocument& document);
 
 /// first x second places over the domain, borders included, first coordinate slowest.
 Places grid_places(const ParameterMap& map, IntegerPair counts);

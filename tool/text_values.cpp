@@ -22,16 +22,6 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(trim(text.substr(0, end)));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 template <class T>
 std::optional<T> whole(std::string_view text) {
   text = trim(text);
@@ -55,6 +45,16 @@ bool drop_percent(std::string_view& text) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(trim(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
 
 void refuse(std::string_view text, const std::string& wanted) {
   throw InvalidInput(fmt::format("'{}' is not {}", text, wanted));
@@ -187,15 +187,6 @@ CornerChoice parse_corners(std::string_view text) {
       "auto, sharpest, search, four vertices \"i,j,k,l\" or four places \"x,y,z;...\"";
   for (const auto& entry : kCornerRules)
     if (entry.name == text) return {.rule = entry.value};
-  const auto split = [](std::string_view all, char mark) {
-    std::vector<std::string_view> parts;
-    for (std::size_t at = 0;;) {
-      const std::size_t end = all.find(mark, at);
-      parts.push_back(all.substr(at, end - at));
-      if (end == std::string_view::npos) return parts;
-      at = end + 1;
-    }
-  };
   CornerChoice choice;
   const auto places = split(text, ';');
   if (places.size() == 4) {
@@ -303,6 +294,25 @@ std::string to_text(const MeasureValue& measure) {
     if (finite(text).value_or(0) / 100 == measure.share) return text + "%";
   }
   return fmt::format("{}%", 100 * measure.share);
+}
+
+const std::vector<Named<FeatureMeasure>>& feature_names() {
+  static const std::vector<Named<FeatureMeasure>> names = [] {
+    std::vector<Named<FeatureMeasure>> all;
+    for (const FeatureMeasureInfo& row : feature_measures()) all.push_back({row.measure, row.name});
+    return all;
+  }();
+  return names;
+}
+
+std::string number_text(double number) {
+  return fmt::format("{}", number);
+}
+
+std::string short_number(double number) {
+  std::string text = number_text(number);
+  if (const std::size_t e = text.find("e-0"); e != std::string::npos) text.erase(e + 2, 1);
+  return text;
 }
 
 std::string extension_of(const std::string& path) {

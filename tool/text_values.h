@@ -18,10 +18,6 @@ inline constexpr Named<RefineRoute> kRoutes[] = {{RefineRoute::search, "search"}
                                                  {RefineRoute::insert, "insert"}};
 inline constexpr Named<Effort> kEfforts[] = {
     {Effort::fast, "fast"}, {Effort::balanced, "balanced"}, {Effort::best, "best"}};
-inline constexpr Named<FeatureMeasure> kFeatures[] = {{FeatureMeasure::hessian, "hessian"},
-                                                      {FeatureMeasure::curvature, "curvature"},
-                                                      {FeatureMeasure::derivative, "derivative"},
-                                                      {FeatureMeasure::residual, "residual"}};
 inline constexpr Named<RowSpacing> kSpacings[] = {
     {RowSpacing::chord, "chord"}, {RowSpacing::centripetal, "centripetal"}, {RowSpacing::uniform, "uniform"}};
 inline constexpr Named<DuplicateRule> kDuplicateRules[] = {{DuplicateRule::fail, "fail"},
@@ -39,6 +35,12 @@ inline constexpr Named<CadFormat> kSchemas[] = {{CadFormat::step_ap214, "ap214"}
                                                 {CadFormat::step_ap242, "ap242"}};
 inline constexpr Named<bool> kMaps[] = {{true, "newton"}, {false, "mean-value"}};
 inline constexpr Named<bool> kSwitch[] = {{true, "on"}, {false, "off"}};
+
+/// The parts between the marks, without blanks around them; one where there is no mark.
+std::vector<std::string_view> split(std::string_view text, char mark);
+
+/// The library's feature measures.
+const std::vector<Named<FeatureMeasure>>& feature_names();
 
 // Every function below throws InvalidInput that quotes the text and says what is wanted.
 
@@ -88,8 +90,9 @@ std::vector<int> parse_classes(std::string_view text);
 std::vector<int> parse_returns(std::string_view text);
 std::string returns_text(const std::vector<int>& returns);
 
-template <class E, std::size_t N>
-std::string one_of(const Named<E> (&table)[N], std::string_view separator = "|") {
+/// The names of a table.
+template <class Table>
+std::string one_of(const Table& table, std::string_view separator = "|") {
   std::string names;
   for (const auto& entry : table) {
     if (!names.empty()) names += separator;
@@ -100,15 +103,15 @@ std::string one_of(const Named<E> (&table)[N], std::string_view separator = "|")
 
 [[noreturn]] void refuse(std::string_view text, const std::string& wanted);
 
-template <class E, std::size_t N>
-E parse_named(const Named<E> (&table)[N], std::string_view text) {
+template <class Table>
+auto parse_named(const Table& table, std::string_view text) {
   for (const auto& entry : table)
     if (entry.name == text) return entry.value;
   refuse(text, "one of " + one_of(table, ", "));
 }
 
-template <class E, std::size_t N>
-std::string_view name_of(const Named<E> (&table)[N], E value) {
+template <class Table, class E>
+std::string_view name_of(const Table& table, E value) {
   for (const auto& entry : table)
     if (entry.value == value) return entry.name;
   return "";
@@ -117,6 +120,10 @@ std::string_view name_of(const Named<E> (&table)[N], E value) {
 /// The text that parse_tolerance, parse_measure read back to the same value.
 std::string to_text(const ToleranceValue& tolerance);
 std::string to_text(const MeasureValue& measure);
+
+/// The shortest text that reads back to the same number; short_number() without the zeros of its exponent: 1e-9.
+std::string number_text(double number);
+std::string short_number(double number);
 
 /// Extension in lower case with its dot; empty where there is none.
 std::string extension_of(const std::string& path);

@@ -2,13 +2,17 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "knotfit/remedy.h"
 namespace knotfit {
 
 /// The caller's mistake: an argument, an option or data that no method can use.
-/// The message says what is wrong, where (index, line) and what to do.
+/// The message says what is wrong, where (index, line) and what to do: the remedies that it names.
 class InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
+  std::vector<NamedRemedy> remedies() const { return remedies_in(what()); }
 };
 
 /// A file that cannot be read as what it claims to be, or an output that cannot be opened.
@@ -20,6 +24,7 @@ class FileError : public std::runtime_error {
   FileError(const std::string& path, long long line, const std::string& message)
       : std::runtime_error(path + ":" + std::to_string(line) + ": " + message), path_(path) {}
   const std::string& path() const noexcept { return path_; }
+  std::vector<NamedRemedy> remedies() const { return remedies_in(what()); }
 
  private:
   std::string path_;

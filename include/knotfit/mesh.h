@@ -65,7 +65,7 @@ struct RepairedMesh {
 RepairedMesh repair(const Mesh& mesh, const MeshRepair& options);
 
 /// \throws InvalidInput  where the mesh is not a disk: which kind, where (face, vertex, line), what to do
-///   (--largest-part, --fill-holes, --orient, --drop-degenerate, cutting it open)
+///   (what repair() offers, or cutting it open)
 void require_disk(const Mesh& mesh);
 
 }  // namespace knotfit

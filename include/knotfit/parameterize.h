@@ -19,7 +19,7 @@ ParameterizedPoints parameterize_height_field(const PointTable& table);
 /// x, y, z at the table's own u, v (or z alone where the table has no x, y).
 /// \param rescale  map the range of u and v to [0,1] (kept in ParameterizedPoints::map);
 ///   without it a parameter outside [0,1] throws, naming its line
-/// \throws InvalidInput  no u, v columns; the message names --height-field where x, y are there
+/// \throws InvalidInput  no u, v columns; the message names Remedy::height_field where x, y are there
 ParameterizedPoints parameterize_given(const PointTable& table, bool rescale = false);
 
 /// Rows of points: u along a row by the spacing's rule, v from row to row likewise. Rows of one

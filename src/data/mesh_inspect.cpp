@@ -9,6 +9,7 @@
 
 #include "data/mesh_topology.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -131,9 +132,9 @@ std::string degenerate_text(const Mesh& mesh, const MeshReport& report) {
       why = fmt::format("its vertices {} and {} are at the same place", names.number(std::min(a, b)),
                         names.number(std::max(a, b)));
   }
-  return fmt::format("{} has no area: {} ({} such face{}, degenerate); --drop-degenerate removes {}",
+  return fmt::format("{} has no area: {} ({} such face{}, degenerate); {} removes {}",
                      names.face(report.degenerate_face), why, count, count == 1 ? "" : "s",
-                     count == 1 ? "it" : "them");
+                     remedy_text(Remedy::drop_degenerate), count == 1 ? "it" : "them");
 }
 
 std::string orientation_text(const Mesh& mesh, const MeshReport& report) {
@@ -145,9 +146,8 @@ std::string orientation_text(const Mesh& mesh, const MeshReport& report) {
         "(at {}); cut it open",
         face);
   return fmt::format(
-      "{} has its corners in the opposite order to its neighbours: misoriented; --orient turns "
-      "such faces",
-      face);
+      "{} has its corners in the opposite order to its neighbours: misoriented; {} turns such faces", face,
+      remedy_text(Remedy::orient));
 }
 
 std::string parts_text(const Mesh& mesh, const MeshReport& report, const MeshTopology& topology) {
@@ -162,8 +162,8 @@ std::string parts_text(const Mesh& mesh, const MeshReport& report, const MeshTop
   if (report.part_faces.size() > 5) faces += ", ...";
   return fmt::format(
       "the mesh has {} parts that are not joined, of {} faces; the second begins at {}. "
-      "--largest-part keeps the one with the most area",
-      report.parts, faces, names.face(second));
+      "{} keeps the one with the most area",
+      report.parts, faces, names.face(second), remedy_text(Remedy::largest_part));
 }
 
 /// The middle of a loop by the lengths of its edges, and the area it encloses, as a vector.
@@ -215,14 +215,13 @@ std::string loops_text(const Mesh& mesh, const MeshReport& report, const MeshTop
   if (loops.size() > 6) openings += ", ...";
   std::string text = fmt::format(
       "the mesh has {} boundary loops, of {} edges: {} opening{} beside its rim{}; the second passes {}. "
-      "--fill-holes closes all but the longest, and the surface is free there",
+      "{} closes all but the longest, and the surface is free there",
       loops.size(), edges, loops.size() - 1, loops.size() == 2 ? "" : "s", openings,
-      names.vertex(topology.from(loops[1].half_edges[0])));
+      names.vertex(topology.from(loops[1].half_edges[0])), remedy_text(Remedy::fill_holes));
   if (ends_of_a_tube(mesh, topology, loops))
-    text +=
-        "; a tube is better fitted around an axis: make points of the mesh (knotfit convert MESH -o "
-        "points.csv) "
-        "and fit these with --base cylinder";
+    text += fmt::format(
+        "; a tube is better fitted around an axis: make points of the mesh ({}) and fit these with {}",
+        remedy_text(Remedy::vertices), remedy_text(Remedy::base, "cylinder"));
   return text;
 }
 
@@ -245,9 +244,9 @@ void require_disk(const Mesh& mesh) {
     throw InvalidInput(fmt::format(
         "{} joins faces that share no edge there: a non-manifold vertex; {}",
         names.vertex(report.nonmanifold_vertex),
-        report.parts > 1
-            ? "--largest-part keeps the part with the most area, or give each part a vertex of its own"
-            : "give each fan of faces a vertex of its own, cutting the mesh open there"));
+        report.parts > 1 ? remedy_text(Remedy::largest_part) +
+                               " keeps the part with the most area, or give each part a vertex of its own"
+                         : "give each fan of faces a vertex of its own, cutting the mesh open there"));
   if (report.parts > 1) throw InvalidInput(parts_text(mesh, report, topology));
   if (report.loop_edges.size() != 1) throw InvalidInput(loops_text(mesh, report, topology));
   const int handles = (1 - report.euler_characteristic) / 2;

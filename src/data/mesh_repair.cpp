@@ -6,6 +6,7 @@
 #include "data/mesh_edit.h"
 #include "data/mesh_topology.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -62,10 +63,10 @@ Index orient(Mesh& mesh) {
   if (orientation.conflict >= 0) {
     const Index f = orientation.conflict;
     throw InvalidInput(fmt::format(
-        "the mesh has one side only, like a Moebius band: --orient finds no orientation that its faces agree "
-        "on "
+        "the mesh has one side only, like a Moebius band: {} finds no orientation that its faces agree on "
         "(at face {}, counted from {}); cut it open",
-        (mesh.face_source.empty() ? f : mesh.face_source[f]) + mesh.counted_from, mesh.counted_from));
+        remedy_text(Remedy::orient), (mesh.face_source.empty() ? f : mesh.face_source[f]) + mesh.counted_from,
+        mesh.counted_from));
   }
   Index turned = 0;
   for (Index f = 0; f < mesh.face_count(); ++f)

@@ -6,6 +6,7 @@
 
 #include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 #include "solve/data_energy.h"
 namespace knotfit {
 
@@ -24,8 +25,9 @@ LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const Kn
   if (points.size() < knots_u.size() * knots_v.size())
     throw InvalidInput(
         fmt::format("{} points are fewer than {} x {} = {} control points; ask for fewer control points or a "
-                    "lower --degree",
-                    points.size(), knots_u.size(), knots_v.size(), knots_u.size() * knots_v.size()));
+                    "lower {}",
+                    points.size(), knots_u.size(), knots_v.size(), knots_u.size() * knots_v.size(),
+                    remedy_text(Remedy::degree)));
   FitProblem problem(points, knots_u.degree(), knots_v.degree(), options);
   LeastSquaresResult result;
   result.on_grid = problem.on_grid();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -130,7 +132,7 @@ Columns columns_of(const Layout& layout) {
 }
 
 std::string option_of(const Columns& columns) {
-  return fmt::format("--columns {}", fmt::join(columns.told, ","));
+  return remedy_text(Remedy::columns, fmt::format("{}", fmt::join(columns.told, ",")));
 }
 
 /// Every reading, as options; of those that use the same columns one.
@@ -142,7 +144,7 @@ std::string spelt_out(const std::vector<Columns>& readings, const std::string& l
     seen.push_back(c.roles);
     options.push_back(option_of(c));
   }
-  if (!last.empty()) options.push_back(last);
+  if (!last.empty()) options.push_back(remedy_text(Remedy::columns, last));
   std::string text;
   for (std::size_t k = 0; k < options.size(); ++k)
     text += (k == 0 ? "" : k + 1 == options.size() ? " or " : ", ") + options[k];
@@ -183,8 +185,8 @@ GuessedColumns guess_columns(const ColumnValues& values, bool any_parameters) {
   if (layouts.empty())
     return {{},
             fmt::format("{} column{} and no header line (without one 3 are x,y,z; up to 10 may hold "
-                        "parameters, colours and normals too); name the columns with --columns",
-                        k, k == 1 ? "" : "s")};
+                        "parameters, colours and normals too); name the columns with {}",
+                        k, k == 1 ? "" : "s", remedy_text(Remedy::columns))};
   std::vector<Columns> all, fitting;
   bool normals = false;
   for (const Layout& layout : layouts) {
@@ -211,10 +213,10 @@ GuessedColumns guess_columns(const ColumnValues& values, bool any_parameters) {
   if (one && !numbered) return {fitting.front(), {}};
   std::string last;
   if (numbered) {
-    last = "--columns -,x,y,z";
+    last = "-,x,y,z";
     for (Index c = 4; c < k; ++c) last += ",-";
   } else if (fitting.empty()) {
-    last = "--columns x,y,z";
+    last = "x,y,z";
     for (Index c = 3; c < k; ++c) last += ",-";
   }
   return {{},

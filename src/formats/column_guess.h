@@ -40,7 +40,7 @@ class ColumnValues {
 /// \param any_parameters  parameters may have any range
 struct GuessedColumns {
   Columns columns;  ///< empty where the values allow none, or more than one, reading
-  std::string why;  ///< then: what is open, and the --columns for each reading
+  std::string why;  ///< then: what is open, and the columns of each reading
 };
 GuessedColumns guess_columns(const ColumnValues& values, bool any_parameters);
 

@@ -15,6 +15,7 @@
 #include "formats/text_lines.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/io.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -157,8 +158,8 @@ class Header {
 
   const FileBytes& file_;
   static inline const std::string kPoints =
-      "points, a line each, are read with --input-format csv (in rows parted by blank lines: --input-format "
-      "rows)";
+      "points, a line each, are read with " + remedy_text(Remedy::format, "csv") +
+      " (in rows parted by blank lines: " + remedy_text(Remedy::format, "rows") + ")";
 
   std::string hole_word_;  ///< NODATA_value, where it is no number
   std::array<double, kKeys> value_{};

@@ -10,6 +10,7 @@
 #include "formats/columns.h"
 #include "formats/nodata.h"
 #include "formats/text_lines.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 
 bool is_missing_word(std::string_view token) {
@@ -23,6 +24,10 @@ bool is_missing_word(std::string_view token) {
   if (token.size() > 8) return false;
   const std::string word = lower_case(token);
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+std::string leave_out_hint() {
+  return remedy_text(Remedy::nodata, "nan") + " leaves out the points that miss a value";
 }
 
 bool misses_value(double coordinate, bool all_finite, std::optional<double> nodata) {
@@ -71,10 +76,11 @@ Index drop_far_nodata(PointTable& table, std::optional<double> nodata) {
 }
 
 std::string left_out_note(Index count, double nodata) {
-  return std::isnan(nodata) ? fmt::format("{} point{} left out: a value is missing (--nodata nan)", count,
-                                          count == 1 ? "" : "s")
-                            : fmt::format("{} point{} left out: the value {} stands for none (--nodata)",
-                                          count, count == 1 ? "" : "s", nodata);
+  const std::string points = fmt::format("{} point{} left out", count, count == 1 ? "" : "s");
+  return std::isnan(nodata)
+             ? fmt::format("{}: a value is missing ({})", points, remedy_text(Remedy::nodata, "nan"))
+             : fmt::format("{}: the value {} stands for none ({})", points, nodata,
+                           remedy_text(Remedy::nodata));
 }
 
 }  // namespace knotfit

@@ -12,7 +12,7 @@ namespace knotfit {
 bool is_missing_word(std::string_view token);
 
 /// What tells a user how to go on where a value is missing.
-inline constexpr std::string_view kLeaveOut = "--nodata nan leaves out the points that miss a value";
+std::string leave_out_hint();
 
 /// Whether the point of these coordinates and other values has a nodata value: z, or the last coordinate where there is
 /// no z; NaN as nodata stands for every value that is not finite.
@@ -26,7 +26,7 @@ void drop_points(PointTable& table, const std::vector<Index>& points);
 /// \return how many
 Index drop_far_nodata(PointTable& table, std::optional<double> nodata);
 
-/// "3 points left out: they have the value -9999 (--nodata)".
+/// "3 points left out: the value -9999 stands for none (`nodata`)".
 std::string left_out_note(Index count, double nodata);
 
 }  // namespace knotfit

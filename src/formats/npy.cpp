@@ -14,6 +14,7 @@
 #include "formats/npy_header.h"
 #include "formats/readers.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -83,7 +84,7 @@ PointTable read_points(const FileBytes& file, const Points& points, std::span<co
       if (!misses && !std::isfinite(value))
         throw FileError(file.path(),
                         fmt::format("row {} (from 1), column {} ({}): {} is not a finite number; {}", i + 1,
-                                    j + 1, role_name(role), value, kLeaveOut));
+                                    j + 1, role_name(role), value, leave_out_hint()));
       column_of(table, role)->push_back(value);
     }
     if (options.nodata) table.line.push_back(i + 1);
@@ -178,8 +179,8 @@ SourceData points_of(const FileBytes& file, const NpyHeader& header, const ReadO
     GuessedColumns guess = guess_of(points, options);
     if (guess.columns.empty())
       throw FileError(file.path(),
-                      fmt::format("an array of shape {}: {}; --input-format npy-grid reads it as heights{}",
-                                  shape_text(shape), guess.why,
+                      fmt::format("an array of shape {}: {}; {} reads it as heights{}", shape_text(shape),
+                                  guess.why, remedy_text(Remedy::format, "npy-grid"),
                                   points.columns == 2 ? ", fit-curve as the x, y of a curve" : ""));
     columns = std::move(guess.columns);
   } else {
@@ -225,8 +226,9 @@ SourceData read_npy(const FileBytes& file, const ReadOptions& options) {
       throw FileError(
           file.path(),
           fmt::format("an array of shape {} may be {} points, one a column, or heights: name the rows as "
-                      "columns (--columns x,y,z,...), or say --input-format npy-grid",
-                      shape_text(shape), shape[1]));
+                      "columns ({}), or say {}",
+                      shape_text(shape), shape[1], remedy_text(Remedy::columns, "x,y,z,..."),
+                      remedy_text(Remedy::format, "npy-grid")));
     case Reading::heights:
       break;
   }

@@ -145,7 +145,7 @@ class ObjReader {
     if (!read && !is_missing_word(word)) return LineNumbers(file_, line, word, "vertex").number();
     if (!options_.nodata || !std::isnan(*options_.nodata))
       builder_.fail(line.number,
-                    fmt::format("vertex: {} is not a finite number; {}", in_quotes(word), kLeaveOut));
+                    fmt::format("vertex: {} is not a finite number; {}", in_quotes(word), leave_out_hint()));
     return *options_.nodata;
   }
 

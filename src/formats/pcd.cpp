@@ -79,8 +79,8 @@ class Points {
     for (int c = 0; c < 3 && grid_; ++c) hole = hole || std::isnan(value[c]);
     for (const Role role : fields_.used)
       if (!hole && !std::isfinite(value[static_cast<int>(role)])) {
-        const std::string message =
-            fmt::format("point {} (from 1): {} is not finite; {}", point + 1, role_name(role), kLeaveOut);
+        const std::string message = fmt::format("point {} (from 1): {} is not finite; {}", point + 1,
+                                                role_name(role), leave_out_hint());
         if (line > 0) throw FileError(file_.path(), static_cast<long long>(line), message);
         throw FileError(file_.path(), message);
       }

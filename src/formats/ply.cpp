@@ -168,7 +168,7 @@ class PlyReader {
       if (!misses && matters(role) && !std::isfinite(value[static_cast<int>(role)]))
         builder_.fail(line,
                       fmt::format("vertex {} (counted from 0): {} is not finite{}{}", row, role_name(role),
-                                  face_ == nullptr ? "; " : "", face_ == nullptr ? kLeaveOut : ""));
+                                  face_ == nullptr ? "; " : "", face_ == nullptr ? leave_out_hint() : ""));
     if (face_ != nullptr) {
       builder_.add_vertex(value, line);
       if (parameters_)

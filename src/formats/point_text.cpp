@@ -13,6 +13,7 @@
 #include "formats/point_line.h"
 #include "formats/text_opening.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -84,9 +85,10 @@ void take_block(const FileBytes& file, const ReadOptions& options, PointText& po
     for (Index b = 1; b <= std::min<Index>(blocks, 8); ++b)
       sizes += fmt::format("{}{} from line {}", b > 1 ? ", " : "", end(b) - points.group_start[b - 1],
                            points.table.line[points.group_start[b - 1]]);
-    throw FileError(file.path(), fmt::format("{} blocks of points ({}{}): a curve is one; --block N "
-                                             "takes the block N, from 1",
-                                             blocks, sizes, blocks > 8 ? ", ..." : ""));
+    throw FileError(file.path(),
+                    fmt::format("{} blocks of points ({}{}): a curve is one; {} "
+                                "takes the block N, from 1",
+                                blocks, sizes, blocks > 8 ? ", ..." : "", remedy_text(Remedy::block, "N")));
   }
   const Index first = points.group_start[options.block - 1], last = end(options.block);
   std::vector<Index> others;
@@ -188,11 +190,12 @@ void refuse_not_finite(const FileBytes& file, const PointText& points, const Tex
     if (role == Role::skip || (role >= Role::nx && role <= Role::nz)) continue;
     const std::string title = column_title(i, role);
     if (fields[i].empty())
-      throw FileError(file.path(), line.number, fmt::format("{} is empty; {}", title, kLeaveOut));
+      throw FileError(file.path(), line.number, fmt::format("{} is empty; {}", title, leave_out_hint()));
     const ParsedNumber number = parse_number(fields[i]);
     if (number.status == NumberStatus::ok && std::isfinite(number.value)) continue;
-    throw FileError(file.path(), line.number,
-                    fmt::format("{}: {} is not a finite number; {}", title, in_quotes(fields[i]), kLeaveOut));
+    throw FileError(
+        file.path(), line.number,
+        fmt::format("{}: {} is not a finite number; {}", title, in_quotes(fields[i]), leave_out_hint()));
   }
   throw FileError(file.path(), line.number, "a number is not finite");
 }

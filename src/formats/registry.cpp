@@ -13,6 +13,7 @@
 #include "formats/text_lines.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/io.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -134,8 +135,8 @@ void refuse_foreign_beginning(const std::string& path) {
 void check_filters(const FileBytes& file, const Format& format, const ReadOptions& options) {
   if (format.read != read_las && !(options.classes.empty() && options.returns.empty()))
     throw InvalidInput(
-        file.path() +
-        ": classes and returns (--classes, --returns) are asked for, but only LAS files have them");
+        fmt::format("{}: classes and returns ({}, {}) are asked for, but only LAS files have them",
+                    file.path(), remedy_text(Remedy::classes), remedy_text(Remedy::returns)));
 }
 
 SourceData read_as(const FileBytes& file, const ReadOptions& options) {
@@ -151,10 +152,10 @@ SourceData read_as(const FileBytes& file, const ReadOptions& options) {
   if (format == nullptr)
     throw FileError(
         file.path(),
-        fmt::format("{}; name the format with --input-format: {}",
+        fmt::format("{}; name the format with {}: {}",
                     extension.empty() ? std::string("a name without an extension does not tell the format")
                                       : "unknown extension " + extension,
-                    readable()));
+                    remedy_text(Remedy::format), readable()));
   if (format->read == nullptr)
     throw FileError(file.path(), fmt::format("{} holds {}, not points; data is read from {}", extension,
                                              format->info.summary, readable()));

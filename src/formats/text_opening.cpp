@@ -14,6 +14,7 @@
 #include "formats/number.h"
 #include "formats/point_line.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -200,10 +201,12 @@ class Opener {
 
   [[noreturn]] void refuse_header(std::size_t at, const Fields& f) const {
     const Index line = ahead_[at].line.number;
-    throw FileError(file_.path(), line,
-                    fmt::format("{} in the header {}; name the columns with --columns, or leave the line out "
-                                "with --skip-lines {} where it names none",
-                                objection(columns_of_header(f).roles, options_.places), list_of(f), line));
+    throw FileError(
+        file_.path(), line,
+        fmt::format("{} in the header {}; name the columns with {}, or leave the line out "
+                    "with {} where it names none",
+                    objection(columns_of_header(f).roles, options_.places), list_of(f),
+                    remedy_text(Remedy::columns), remedy_text(Remedy::skip_lines, std::to_string(line))));
   }
 
   /// The next line is a header, and this one has not as many words.
@@ -291,8 +294,8 @@ class Opener {
     out_.rest = ahead_[at].after;
     const std::size_t next = data_columns(at + 1), after = data_columns(at + 2);
     if (next > 0 && next == after && next != f.size() && !out_.header)
-      out_.hint = fmt::format("; if line {} is no point, leave it out with --skip-lines {}", line.number,
-                              line.number);
+      out_.hint = fmt::format("; if line {} is no point, leave it out with {}", line.number,
+                              remedy_text(Remedy::skip_lines, std::to_string(line.number)));
     if (out_.columns.empty()) find_columns(at, std::max(f.size(), empty_cell_at_end(at) ? next : 0));
     out_.origin = out_.columns_from == "option" ? fmt::format("{} are named", out_.columns.roles.size())
                   : out_.header ? fmt::format("the header names {}", out_.columns.roles.size())

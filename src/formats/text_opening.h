@@ -22,7 +22,7 @@ struct TextOpening {
   Index upper = 0, lower = 0;
   /// Where the number of columns comes from, for messages.
   std::string origin;
-  /// What may help where the second line with data differs from the first: --skip-lines.
+  /// What may help where the second line with data differs from the first: to skip it.
   std::string hint;
 };
 

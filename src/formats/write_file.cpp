@@ -15,6 +15,7 @@
 
 #include "knotfit/exceptions.h"
 #include "knotfit/io.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -22,6 +23,10 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) {
   return std::generic_category().message(error);
+}
+
+std::string exists_already() {
+  return "exists already; " + remedy_text(Remedy::force) + " replaces it";
 }
 
 /// A stream into a descriptor that remembers the first error.
@@ -85,7 +90,7 @@ Target find_target(const std::string& path, bool force) {
     if (S_ISDIR(info.st_mode)) throw FileError(path, "is a folder; name a file in it");
     target.special = !S_ISREG(info.st_mode);
     target.mode = info.st_mode & 07777;
-    if (!target.special && !force) throw FileError(path, "exists already; --force replaces it");
+    if (!target.special && !force) throw FileError(path, exists_already());
   } else if (errno != ENOENT) {
     throw FileError(path, "cannot be written: " + reason(errno));
   }
@@ -180,7 +185,7 @@ void write_checked_file(const std::string& path, bool force, const std::function
   if (check) check(file.temporary);
 
   if (const int error = rename_to(file.temporary, target.file.string(), force); error != 0) {
-    if (error == EEXIST) throw FileError(path, "exists already; --force replaces it");
+    if (error == EEXIST) throw FileError(path, exists_already());
     throw WriteError(path, "writing failed: " + reason(error));
   }
   file.temporary.clear();

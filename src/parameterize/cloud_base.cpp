@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit::cloud {
 namespace {
 
@@ -170,7 +171,8 @@ BasePlaces project_to_cylinder(std::span<const double> points, const std::vector
     radius = std::abs(radius + step[4]);
   }
   if (!(radius < 100 * size) || !(scatter < 0.2 * radius))
-    throw InvalidInput("the points lie on no cylinder: --base plane suits them better");
+    throw InvalidInput("the points lie on no cylinder: " + remedy_text(Remedy::base, "plane") +
+                       " suits them better");
   axis = turned_up(axis);
   through += (centre - through).dot(axis) * axis;  // beside the centre of the points
   frame_of(axis, first, second);

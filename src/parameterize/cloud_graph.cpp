@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "data/mesh_topology.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 #include "parameterize/cloud_gaps.h"
 #include "parameterize/delaunay.h"
 namespace knotfit::cloud {
@@ -239,11 +240,10 @@ CloudMap map_graph(std::span<const double> points, const NeighbourLists& near,
   } catch (const InvalidInput& e) {
     // Without the options that repair a mesh of a file.
     const std::string_view what = e.what();
-    throw InvalidInput(
-        fmt::format("the mesh of their nearest neighbours is no sheet with one outline: {}; --base plane or "
-                    "cylinder lays the "
-                    "points over a base",
-                    what.substr(0, what.find("; --"))));
+    throw InvalidInput(fmt::format(
+        "the mesh of their nearest neighbours is no sheet with one outline: {}; {} or cylinder lays the "
+        "points over a base",
+        what.substr(0, what.find("; `")), remedy_text(Remedy::base, "plane")));
   }
   return cloud;
 }

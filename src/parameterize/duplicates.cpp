@@ -7,6 +7,7 @@
 
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
+#include "knotfit/remedy.h"
 #include "parameterize/table_checks.h"
 namespace knotfit {
 namespace {
@@ -81,7 +82,8 @@ void check(const ParameterizedPoints& points, const std::vector<Group>& groups, 
       parameterize::point_names(points.source, *first), map.name_u, at[0], map.name_v, at[1], first_apart,
       tolerance);
   if (offending > 1) message += fmt::format(" (and {} more such groups)", offending - 1);
-  throw InvalidInput(message + "; --duplicates mean, lowest or highest settles it");
+  throw InvalidInput(message + "; " + remedy_text(Remedy::duplicates, "mean") +
+                     ", lowest or highest settles it");
 }
 
 // Weighted mean into the group's first point, as a step from its value so that large offsets keep their digits.

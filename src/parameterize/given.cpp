@@ -4,6 +4,7 @@
 
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
+#include "knotfit/remedy.h"
 #include "parameterize/table_checks.h"
 namespace knotfit {
 namespace {
@@ -24,7 +25,7 @@ void check_inside(const PointTable& table) {
           : fmt::format("{}: u = {} is outside [0,1]", point_name(table.line, first), table.u[first]);
   if (outside.size() > 1)
     message += fmt::format(", likewise {}", point_names(table.line, std::span(outside).subspan(1)));
-  throw InvalidInput(message + "; --rescale-parameters maps the range of u and v to [0,1]");
+  throw InvalidInput(message + "; " + remedy_text(Remedy::rescale) + " maps the range of u and v to [0,1]");
 }
 
 }  // namespace
@@ -32,10 +33,11 @@ void check_inside(const PointTable& table) {
 ParameterizedPoints parameterize_given(const PointTable& table, bool rescale) {
   parameterize::check_table(table);
   if (table.u.empty() && !table.x.empty())
-    throw InvalidInput(
-        "x, y and z without u, v columns: the points have no parameters; --height-field fits z over (x, y)");
+    throw InvalidInput("x, y and z without u, v columns: the points have no parameters; " +
+                       remedy_text(Remedy::height_field) + " fits z over (x, y)");
   if (table.u.empty())
-    throw InvalidInput("no u, v columns: the points have no parameters; name them with --columns");
+    throw InvalidInput("no u, v columns: the points have no parameters; name them with " +
+                       remedy_text(Remedy::columns));
   if (!rescale) check_inside(table);
   parameterize::check_plane(table.u, table.v, "u", "v", table.line);
 

@@ -5,6 +5,7 @@
 
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize.h"
+#include "knotfit/remedy.h"
 #include "parameterize/table_checks.h"
 namespace knotfit {
 namespace {
@@ -61,8 +62,9 @@ ParameterizedPoints parameterize_height_field(const Raster& raster) {
 ParameterizedPoints parameterize_height_field(const PointTable& table) {
   parameterize::check_table(table);
   if (table.x.empty())
-    throw InvalidInput(
-        "--height-field fits z over (x, y), and there are no x and y columns; name them with --columns");
+    throw InvalidInput(remedy_text(Remedy::height_field) +
+                       " fits z over (x, y), and there are no x and y columns; name them with " +
+                       remedy_text(Remedy::columns));
   parameterize::check_plane(table.x, table.y, "x", "y", table.line);
   const parameterize::Range x = parameterize::range_of(table.x, "x"),
                             y = parameterize::range_of(table.y, "y");

@@ -7,6 +7,7 @@
 
 #include "base/place_text.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 #include "parameterize/cloud_base.h"
 #include "parameterize/cloud_gaps.h"
 #include "parameterize/cloud_graph.h"
@@ -75,7 +76,7 @@ CloudMap outlined(CloudMap cloud, const MeshMapOptions& options, const Control& 
 /// What else there is for a cloud with openings.
 std::string other_ways(const CloudMap& cloud) {
   if (cloud.base == CloudBase::plane && std::abs(cloud.axis[2]) > 0.9)
-    return "; --height-field fits z over x, y and leaves them as they are";
+    return "; " + remedy_text(Remedy::height_field) + " fits z over x, y and leaves them as they are";
   if (cloud.base != CloudBase::graph) return "";
   std::vector<double> points;
   for (Index k = 0; k < cloud.mesh.vertex_count(); ++k)
@@ -91,10 +92,9 @@ std::string other_ways(const CloudMap& cloud) {
       low = std::min(low, round.at[k]), high = std::max(high, round.at[k]);
     if (round.scatter < kTube * round.radius && high - low > kTurn * round.radius)
       return fmt::format(
-          "; --base cylinder unrolls them around the axis that they surround, of radius {:.4g} about "
-          "({:.3g}, {:.3g}, "
+          "; {} unrolls them around the axis that they surround, of radius {:.4g} about ({:.3g}, {:.3g}, "
           "{:.3g})",
-          round.radius, round.axis[0], round.axis[1], round.axis[2]);
+          remedy_text(Remedy::base, "cylinder"), round.radius, round.axis[0], round.axis[1], round.axis[2]);
   } catch (const InvalidInput&) {
     // No cylinder.
   }
@@ -180,26 +180,25 @@ CloudMap parameterize_cloud(std::span<const double> points, const CloudOptions& 
     if (base == CloudBase::graph) throw;
     throw InvalidInput(
         fmt::format("the points fold over their plane ({:.3g} % of them stand upright or turn back), and {}; "
-                    "--height-field fits z over x, y, --base plane fits them over their plane all the same, "
-                    "--base cylinder around an axis",
-                    100 * folded, e.what()));
+                    "{} fits z over x, y, {} fits them over their plane all the same, {} around an axis",
+                    100 * folded, e.what(), remedy_text(Remedy::height_field),
+                    remedy_text(Remedy::base, "plane"), remedy_text(Remedy::base, "cylinder")));
   }
 }
 
 void require_no_openings(const CloudMap& cloud) {
   if (!cloud.openings.empty()) {
     const bool one = cloud.openings.size() == 1;
-    throw cloud::OpenSheet(
-        fmt::format("the points leave {}; --fill-holes closes {} by triangles that are no data: the surface "
-                    "is free there{}",
-                    describe(cloud.openings), one ? "it" : "them", other_ways(cloud)));
+    throw cloud::OpenSheet(fmt::format(
+        "the points leave {}; {} closes {} by triangles that are no data: the surface "
+        "is free there{}",
+        describe(cloud.openings), remedy_text(Remedy::fill_holes), one ? "it" : "them", other_ways(cloud)));
   }
   if (cloud.bare > kMostBare)
     throw cloud::OpenSheet(
-        fmt::format("{:.2g} % of the square would be without data; --fill-holes leaves the surface free "
-                    "there, --base graph "
+        fmt::format("{:.2g} % of the square would be without data; {} leaves the surface free there, {} "
                     "lays the outline of the points along the sides of the square",
-                    100 * cloud.bare));
+                    100 * cloud.bare, remedy_text(Remedy::fill_holes), remedy_text(Remedy::base, "graph")));
 }
 
 void map_outline(CloudMap& cloud, const MeshMapOptions& options, const Control& control) {

@@ -8,6 +8,7 @@
 #include "base/place_text.h"
 #include "data/strays.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit::parameterize {
 namespace {
 
@@ -83,9 +84,9 @@ void check_strays(std::span<const double> values, int dimension, const std::vect
   throw InvalidInput(
       fmt::format("{}: {}({}) stands more than 1000 times as far away as the farthest of the others: a "
                   "stray; leave {} out of the "
-                  "file, or name a number that stands for missing data with --nodata",
+                  "file, or name a number that stands for missing data with {}",
                   point_names(line, strays), strays.size() == 1 ? "" : "each of these, such as ", place,
-                  strays.size() == 1 ? "it" : "them"));
+                  strays.size() == 1 ? "it" : "them", remedy_text(Remedy::nodata)));
 }
 
 void check_plane(const std::vector<double>& a, const std::vector<double>& b, const char* name_a,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "knotfit/remedy.h"
 #include "pipeline/verdict.h"
 
 namespace knotfit {
@@ -55,7 +56,8 @@ std::string gap_note(const CurveFitResult& fit) {
       "{:.2g} % of the curve's length, from t = {:.4g} to t = {:.4g}, hold no data: the "
       "curve is free there",
       100 * gap / length.back(), t[widest], std::fmod(t[widest + 1], 1.0));
-  if (fit.closed && gap > 0.25 * length.back()) note += "; without --closed it ends at the data";
+  if (fit.closed && gap > 0.25 * length.back())
+    note += "; without " + remedy_text(Remedy::closed) + " it ends at the data";
   return note;
 }
 
@@ -65,10 +67,11 @@ std::string swing_note(const CurveFitResult& fit, const CurvePoints& points) {
     return points.function ? fmt::format("x = {:.9g}", points.x0 + t * (points.x1 - points.x0))
                            : fmt::format("t = {:.4g}", t);
   });
-  return note + (points.function
-                     ? "; more data there, a smoother curve (--smoothing) or a larger tolerance help"
-                     : "; parameters that fit the points better (--corrected), more data there, a "
-                       "smoother curve (--smoothing) or a larger tolerance help");
+  const std::string parameters = points.function ? ""
+                                                 : fmt::format("parameters that fit the points better ({}), ",
+                                                               remedy_text(Remedy::corrections));
+  return note + fmt::format("; {}more data there, a smoother curve ({}) or a larger tolerance help",
+                            parameters, remedy_text(Remedy::smoothing));
 }
 
 }  // namespace
@@ -82,8 +85,8 @@ std::vector<std::string> curve_notes(const CurveFitResult& fit, const CurvePoint
   const std::vector<double>& v = points.values;
   if (!points.closed && v.size() >= 4 * d &&
       std::equal(v.begin(), v.begin() + points.dimension, v.end() - points.dimension))
-    notes.push_back(
-        "the first and the last point are equal: --closed fits a curve that runs on smoothly there");
+    notes.push_back("the first and the last point are equal: " + remedy_text(Remedy::closed) +
+                    " fits a curve that runs on smoothly there");
   return notes;
 }
 

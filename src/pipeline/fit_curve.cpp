@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 #include "pipeline/curve_notes.h"
 #include "pipeline/message.h"
 #include "pipeline/request.h"
@@ -32,8 +33,8 @@ void check_options(const CurvePoints& points, const CurveFitOptions& o) {
   if (points.size() < least)
     throw InvalidInput(
         fmt::format("{} points are fewer than the {} control points of one piece of degree {}; give "
-                    "more points or a lower --degree",
-                    points.size(), least, o.degree));
+                    "more points or a lower {}",
+                    points.size(), least, o.degree, remedy_text(Remedy::degree)));
   if (std::all_of(points.t.begin(), points.t.end(), [&](double t) { return t == points.t[0]; }))
     throw InvalidInput("all points have the same parameter: there is no curve to fit");
   const Index n =

@@ -11,6 +11,7 @@
 #include "data/crowding.h"
 #include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 #include "pipeline/choose_knots.h"
 #include "pipeline/message.h"
 #include "pipeline/request.h"
@@ -250,9 +251,9 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
         result.notes.begin(),
         fmt::format(
             "{:.2g} % of the points stand far closer in the parameters than on the surface: parameters that "
-            "squeeze parts of it need many control points; --correct moves them with the surface, which "
+            "squeeze parts of it need many control points; {} moves them with the surface, which "
             "then needs far fewer",
-            100 * crowded));
+            100 * crowded, remedy_text(Remedy::correct)));
   note_swings(result);
   result.message = message_of(result, points.size());
   return result;

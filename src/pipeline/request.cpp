@@ -7,6 +7,7 @@
 
 #include "data/strays.h"
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 namespace knotfit {
 namespace {
 
@@ -86,8 +87,8 @@ void check_size(const ParameterizedPoints& points, const FitOptions& o) {
   if (n < patch)
     throw InvalidInput(
         fmt::format("{} points are fewer than the {} control points of one patch of degree {}x{}; "
-                    "give more points or a lower --degree",
-                    n, patch, o.degree_u, o.degree_v));
+                    "give more points or a lower {}",
+                    n, patch, o.degree_u, o.degree_v, remedy_text(Remedy::degree)));
   Index size_u = o.control_points_u, size_v = o.control_points_v;
   if (o.knots) {
     size_u = static_cast<Index>(o.knots->u.size()) + o.degree_u + 1;
@@ -99,8 +100,8 @@ void check_size(const ParameterizedPoints& points, const FitOptions& o) {
   if (n < size_u * size_v)
     throw InvalidInput(
         fmt::format("{} points are fewer than {} x {} = {} control points; ask for fewer control points "
-                    "or a lower --degree",
-                    n, size_u, size_v, size_u * size_v));
+                    "or a lower {}",
+                    n, size_u, size_v, size_u * size_v, remedy_text(Remedy::degree)));
 }
 
 }  // namespace

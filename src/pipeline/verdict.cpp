@@ -6,15 +6,18 @@
 #include <cmath>
 
 #include "knotfit/exceptions.h"
+#include "knotfit/remedy.h"
 #include "pipeline/message.h"
 #include "verify/swing_limits.h"
 namespace knotfit {
 namespace {
 
-constexpr const char* kRemedies =
-    "parameters that fit the points better (--correct), more data there, a smoother surface (--smoothing) or "
-    "a larger "
-    "tolerance help";
+std::string what_helps() {
+  return fmt::format(
+      "parameters that fit the points better ({}), more data there, a smoother surface ({}) or a larger "
+      "tolerance help",
+      remedy_text(Remedy::correct), remedy_text(Remedy::smoothing));
+}
 
 std::string place_text(const ParameterMap& map, double u, double v) {
   const auto [a, b] = map.from_uv(u, v);
@@ -83,7 +86,7 @@ void note_swings(FitResult& result) {
   if (!result.swings.swings) return;
   const std::string text = swing_text(result.swings, result.diagonal, "surface",
                                       [&](double u, double v) { return place_text(result.map, u, v); });
-  result.notes.insert(result.notes.begin(), text + "; " + kRemedies);
+  result.notes.insert(result.notes.begin(), text + "; " + what_helps());
 }
 
 }  // namespace knotfit

@@ -7,12 +7,13 @@ import shlex
 import shutil
 import subprocess
 import unittest
+from pathlib import Path
 
 from harness import SAMPLES, SOURCE, TOOL, ToolTest
 
 COMMANDS = ["fit", "compare", "fit-curve", "parameterize", "eval", "distance", "info", "convert", "methods", "formats"]
-MAN = SOURCE / "tool" / "man" / "knotfit.1"
-COMPLETION = SOURCE / "tool" / "completion"
+COMPLETION = Path(TOOL).resolve().parent / "pages"  # made with the tool
+MAN = COMPLETION / "knotfit.1"
 
 
 def options_of(text):
@@ -134,6 +135,24 @@ class Help(ToolTest):
         self.assertEqual(self.run_tool("formats", "--names").stdout.split(), [f["name"] for f in formats])
         self.assertIn("ESRI", self.run_tool("formats").stdout)
 
+    def test_the_default_that_the_help_names_is_the_one_in_force(self):
+        self.write_points()
+        stored = self.run_json("fit", "points.csv", "--control-points", "5")["options"]
+        helps = {}
+        for block in re.split(r"\n(?=  (?:-\w,)?--)", self.help("fit")):
+            helps[block.split()[0].split(",")[-1]] = " ".join(block.split())
+        for option in ("--degree", "--shear", "--guard", "--feature", "--smoothing", "--spacing", "--duplicates", "--base",
+                       "--correct", "--fairness", "--samples", "--between", "--knots"):
+            with self.subTest(option=option):
+                value = stored[option[2:]]
+                value = value[0] if isinstance(value, list) else {True: "on", False: "off"}[value] \
+                    if isinstance(value, bool) else value
+                shown = f"{value:g}".replace("e-0", "e-") if isinstance(value, float) else str(value)
+                self.assertRegex(helps[option], rf"[Dd]efault {re.escape(shown)}(?![\w-])")
+        self.assertIn(f"({stored['refine']}, default)", helps["--refine"])
+        self.assertIn(f"{stored['effort']} (default)", helps["--effort"])
+        self.assertIn(f"{stored['corners']} (default)", helps["--corners"])
+
     def test_what_shapes_a_result_is_stored(self):
         """Every option of fit is in the stored options, or is known not to shape a result."""
         self.write_points()
@@ -192,6 +211,37 @@ class ManPage(ToolTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
+class Pages(ToolTest):
+    """The program that makes the pages refuses a man page that would leave an option out."""
+
+    def make(self, template):
+        self.write("page.in", template)
+        return subprocess.run([COMPLETION.parent / "knotfit_pages", "page.in", "."], cwd=self.folder, capture_output=True,
+                              text=True, timeout=60)
+
+    def test_every_option_has_its_line(self):
+        template = (SOURCE / "tool" / "man" / "knotfit.1.in").read_text()
+        self.assertEqual(self.make(template).returncode, 0)
+        self.assertEqual((self.folder / "knotfit.1").read_text(), MAN.read_text())
+        for without, word in [('.\\" @options fit Knots\n', "--evaluations"), ('.\\" @options methods\n', "--names")]:
+            self.assertIn(without, template)
+            done = self.make(template.replace(without, ""))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("no line of the man page has --", done.stderr)
+
+    def test_a_line_names_a_command_and_a_group_with_options(self):
+        for line in ("nothing", "fit Nonsense", "eval Knots"):
+            done = self.make(f'.\\" @options {line}\n')
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"there is no option for the line .\\\" @options {line}", done.stderr)
+
+    def test_a_template_that_is_not_there(self):
+        done = subprocess.run([COMPLETION.parent / "knotfit_pages", "none.in", "."], cwd=self.folder, capture_output=True,
+                              text=True)
+        self.assertEqual((done.returncode, self.files()), (1, []))
+        self.assertIn("none.in: cannot be read", done.stderr)
+
+
 class Completions(ToolTest):
     def test_every_shell_knows_every_option(self):
         for name in ("knotfit.bash", "_knotfit", "knotfit.fish"):
@@ -214,6 +264,26 @@ class Completions(ToolTest):
                               env={**os.environ, "PATH": path}, timeout=60)
         self.assertEqual(done.stderr, "")
         return done.stdout.split()
+
+    def test_bash_offers_the_options_of_the_command(self):
+        for command in COMMANDS:
+            with self.subTest(command=command):
+                there = all_names_of(self.run_tool(command, "--help-all").stdout)
+                self.assertEqual(set(self.complete("knotfit", command, "--")), there)
+
+    def test_values_by_name_are_offered(self):
+        for command, option, values in [
+            ("fit", "--feature", "hessian curvature derivative residual"), ("fit", "--guard", "on off"),
+            ("fit", "--shear", "auto off"), ("fit", "--returns", "first last"), ("convert", "--unit", "mm m inch"),
+            ("compare", "--duplicates", "fail mean lowest highest"), ("fit", "--tol", ""), ("fit", "--columns", ""),
+            ("eval", "--at", ""), ("fit", "--control-points", ""), ("parameterize", "--map", "newton mean-value"),
+        ]:
+            with self.subTest(option=option):
+                self.assertEqual(self.complete("knotfit", command, option, ""), values.split())
+        self.write("s.json", "")
+        self.assertEqual(self.complete("knotfit", "fit", "--base", ""), "auto plane cylinder graph s.json".split())
+        self.assertEqual(self.complete("knotfit", "compare", "--methods", "al"), ["all"])
+        self.assertEqual(self.complete("knotfit", "fit", "--input-format", "npy-"), ["npy-grid"])
 
     def test_bash_completes(self):
         self.assertEqual(self.complete("knotfit", "con"), ["convert"])

@@ -11,6 +11,7 @@ OTHERS = {
     "--preset", "--build", "--install", "--component", "--prefix", "--target", "--test-dir",  # cmake, ctest
     "--headless", "--convert-to",  # libreoffice, in messages about spreadsheets
     "--cflags", "--libs", "--static",  # pkg-config
+    "--span-ratio", "--span-ration",  # the exercise of docs/how-to-add-an-option.md
 }
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z](?![\w-])")
 PAGES = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"]
@@ -50,6 +51,25 @@ class Said(ToolTest):
         paths = [p for folder in ("src", "tool", "include") for p in sorted((SOURCE / folder).rglob("*.cpp"))
                  if p.name != "applicable_options.cpp"]  # names an option only where it was given
         self.check(paths, words_of_code)
+
+    def test_every_remedy_of_the_library_has_words_of_the_tool(self):
+        header = (SOURCE / "include" / "knotfit" / "remedy.h").read_text(encoding="utf-8")
+        remedies = re.findall(r"^  (\w+),? +///<", re.search(r"enum class Remedy \{(.*?)\};", header, re.S)[1], re.M)
+        code = (SOURCE / "tool" / "remedy_words.cpp").read_text(encoding="utf-8")
+        words = dict(re.findall(r'\{Remedy::(\w+), "([^"]+)"\}', code))
+        self.assertEqual(list(words), remedies)
+        self.assertGreater(len(remedies), 20)
+        known = self.known()
+        for remedy, said in words.items():
+            with self.subTest(remedy=remedy):
+                if said.startswith("--"):
+                    self.assertIn(said, known)
+                else:
+                    _, command, *others = said.split()
+                    self.assertIn(command, COMMANDS)
+                    options = self.run_tool(command, "--help-all").stdout
+                    for option in (word for word in others if word.startswith("-")):
+                        self.assertRegex(options, rf"(?m)^  {option},")
 
     def test_the_check_sees_what_is_wrong(self):
         self.assertEqual(words_of_code('f("a --b"\n   "ad c"); // "--no"'), "a --bad c")

@@ -65,7 +65,7 @@ TEST(MeshInspection, PartsAreCountedLargestFirst) {
   const MeshReport r = inspect(mesh);
   EXPECT_EQ(r.parts, 3);
   EXPECT_EQ(r.part_faces, (std::vector<Index>{32, 8, 2}));
-  refuses(mesh, {"3 parts", "of 32, 8, 2 faces", "begins at face 8 (counted from 0)", "--largest-part"});
+  refuses(mesh, {"3 parts", "of 32, 8, 2 faces", "begins at face 8 (counted from 0)", "`largest_part`"});
 }
 
 TEST(MeshInspection, LoopsAreCountedTheLongestFirst) {
@@ -73,7 +73,7 @@ TEST(MeshInspection, LoopsAreCountedTheLongestFirst) {
   const MeshReport r = inspect(mesh);
   EXPECT_EQ(r.loop_edges, (std::vector<Index>{36, 6, 4}));
   EXPECT_EQ(r.euler_characteristic, -1);
-  refuses(mesh, {"3 boundary loops, of 36, 6, 4 edges", "--fill-holes"});
+  refuses(mesh, {"3 boundary loops, of 36, 6, 4 edges", "`fill_holes`"});
 }
 
 TEST(MeshInspection, AnEdgeOfThreeFaces) {
@@ -93,7 +93,7 @@ TEST(MeshInspection, AVertexOfTwoFans) {
   mesh.faces.push_back({15, 16, 17});
   EXPECT_EQ(inspect(mesh).nonmanifold_vertex, 15);
   EXPECT_EQ(inspect(mesh).loop_edges, (std::vector<Index>{3, 12}));  // the longest in space first
-  refuses(mesh, {"vertex 15", "non-manifold vertex", "--largest-part"});
+  refuses(mesh, {"vertex 15", "non-manifold vertex", "`largest_part`"});
 }
 
 TEST(MeshInspection, APinchedSheetIsOnePartWithTwoFansAtAVertex) {
@@ -114,7 +114,7 @@ TEST(MeshInspection, AFaceAgainstItsNeighbours) {
   EXPECT_EQ(inspect(mesh).misoriented_face, 13);
   EXPECT_TRUE(inspect(mesh).orientable);
   EXPECT_EQ(inspect(mesh).loop_edges.size(), 1U);
-  refuses(mesh, {"face 13 (counted from 0, line 77)", "misoriented", "--orient"});
+  refuses(mesh, {"face 13 (counted from 0, line 77)", "misoriented", "`orient`"});
 }
 
 TEST(MeshInspection, AMoebiusBandHasNoOrientation) {
@@ -131,7 +131,7 @@ TEST(MeshInspection, FacesOfNoArea) {
   EXPECT_EQ(inspect(mesh).degenerate_face, 18);
   EXPECT_EQ(inspect(mesh).parts, 1);
   EXPECT_EQ(inspect(mesh).loop_edges, std::vector<Index>{12});
-  refuses(mesh, {"face 18", "vertex 4 is its corner twice", "--drop-degenerate removes it"});
+  refuses(mesh, {"face 18", "vertex 4 is its corner twice", "`drop_degenerate` removes it"});
   mesh.faces.back() = {0, 1, 2};
   for (int k = 0; k < 3; ++k) mesh.vertices[static_cast<std::size_t>(3 * k + 2)] = 0;
   EXPECT_EQ(inspect(mesh).degenerate_face, 18);

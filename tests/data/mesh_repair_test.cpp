@@ -130,7 +130,7 @@ TEST(MeshRepair, OrientTurnsTheFewer) {
 
 TEST(MeshRepair, OrientRefusesAMoebiusBand) {
   expect_throw<InvalidInput>([] { repair(band(9, true), {.orient = true}); },
-                             "--orient finds no orientation");
+                             "`orient` finds no orientation");
 }
 
 TEST(MeshRepair, NeedlesAreClosedByMergingTheirVertices) {

@@ -383,7 +383,7 @@ TEST(LeastSquares, RefusesFewerPointsThanControlPoints) {
   expect_throw<InvalidInput>([&] { fit_least_squares(random_points(random, 24, 1), knots, knots); },
                              "24 points are fewer than 5 x 5 = 25 control points");
   expect_throw<InvalidInput>([&] { fit_least_squares(random_points(random, 24, 1), knots, knots); },
-                             "ask for fewer control points or a lower --degree");
+                             "ask for fewer control points or a lower `degree`");
   solved(random_points(random, 25, 1), knots, knots);
 }
 

@@ -64,11 +64,11 @@ TEST(ColumnGuess, ThreeAreColoursNormalsOrParametersWithAWeight) {
   expect_columns({{0.1, 0.2, 3}, {0.5, 0.9, 0.5}, {1, 0, 1}}, {"u", "v", "w"});
   // In [0,1] they may be colours, or parameters with a weight.
   expect_open({{0.7, 0.2, 0.35}, {0.1, 0.3, 0.35}, {0.2, 0.9, 0.35}},
-              {"--columns x,y,z,u,v,w", "--columns x,y,z,r,g,b", "more than one reading"});
+              {"`columns = x,y,z,u,v,w`", "`columns = x,y,z,r,g,b`", "more than one reading"});
   // A weight of 0 is none: colours are left.
   expect_columns({{0.7, 0.2, 0}, {0.1, 0.3, 0.35}, {0.2, 0.9, 0.35}}, {"r", "g", "b"});
   expect_open({{-3, 0.2, 7.5}, {9, -2.3, 0.35}, {0.2, 0.9, 400.5}},
-              {"fit no known reading", "--columns x,y,z,nx,ny,nz", "--columns x,y,z,-,-,-"});
+              {"fit no known reading", "`columns = x,y,z,nx,ny,nz`", "`columns = x,y,z,-,-,-`"});
 }
 
 TEST(ColumnGuess, MoreColumns) {
@@ -81,7 +81,7 @@ TEST(ColumnGuess, MoreColumns) {
   expect_columns({{0, 0.6, 0.8, 9, 9, 200}, {0, 0, 1, 1, 2, 3}, {1, 0, 0, 4, 5, 6}},
                  {"nx", "ny", "nz", "r", "g", "b"});
   expect_open({{0.5, 0.7, 0.2, 0.35}, {0.2, 0.1, 0.3, 0.35}, {0.1, 0.2, 0.9, 0.35}},
-              {"--columns x,y,z,u,v,w,intensity"});
+              {"`columns = x,y,z,u,v,w,intensity`"});
 }
 
 TEST(ColumnGuess, AFirstColumnThatCountsMayBeTheNumberOfThePoint) {
@@ -89,7 +89,7 @@ TEST(ColumnGuess, AFirstColumnThatCountsMayBeTheNumberOfThePoint) {
   for (int k = 0; k < 10; ++k) rows.push_back({1.0 + k, 0.3 * k, 0.1 * k * k, std::sin(k)});
   const GuessedColumns g = guess(rows);
   EXPECT_TRUE(g.columns.empty());
-  EXPECT_NE(g.why.find("--columns x,y,z,intensity or --columns -,x,y,z"), std::string::npos) << g.why;
+  EXPECT_NE(g.why.find("`columns = x,y,z,intensity` or `columns = -,x,y,z`"), std::string::npos) << g.why;
 }
 
 TEST(ColumnGuess, WhatIsMissingHindersNothing) {

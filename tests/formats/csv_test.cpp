@@ -41,7 +41,7 @@ TEST(CsvReader, CountsOfColumnsWithoutAHeader) {
   refuses("a.csv", "1,2\n", "a.csv:1: 2 columns and no header");
   expect_two_points(table("1,2,3,-7\n4,5,6,8\n"));
   refuses("a.csv", "1,2,3,4,5,6,7,8,9,10,11\n", "a.csv:1: 11 columns and no header");
-  refuses("a.csv", "1,2,3,4,5,6,7,8,9,10,11\n", "--columns");
+  refuses("a.csv", "1,2,3,4,5,6,7,8,9,10,11\n", "`columns`");
 }
 
 TEST(CsvReader, HeaderNamesInAnyOrderCaseAndDress) {

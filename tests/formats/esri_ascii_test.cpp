@@ -92,7 +92,7 @@ TEST(EsriAscii, CountsMayBeWrittenAsFloatingPointNumbers) {
 TEST(EsriAscii, ATextOfPointsIsToldHowItIsRead) {
   for (const char* text : {"8.05 0.99 0.38 181 58 90\n", "//X Y Z R G B\n1 2 3 4 5 6\n", "x y z\n1 2 3\n",
                            "3\n1 2 3\n4 5 6\n7 8 9\n"})
-    refuses("cloud.asc", text, "--input-format csv");
+    refuses("cloud.asc", text, "`format = csv`");
 }
 
 TEST(EsriAscii, RowsMayBeWrappedOverLines) {
@@ -141,7 +141,7 @@ TEST(EsriAscii, RefusesBadHeadersByLine) {
   refuses("g.asc", with("nrows 2", "ncols 2"), "g.asc:2: ncols is there twice (first on line 1)");
   refuses("g.asc", with("nrows 2", "rows 2"), "g.asc:2: \"rows\" is neither a number nor a header keyword");
   refuses("g.asc", "hello there\n", "g.asc:1: not an ESRI grid: it begins with \"hello\"");
-  refuses("g.asc", "1 2 3\n", "--input-format csv");
+  refuses("g.asc", "1 2 3\n", "`format = csv`");
   refuses("g.grd", "DSAA\n3 2\n", "Surfer grid");
   refuses("g.grd", std::string("CDF\x01\0\0", 6), "netCDF grid");
 }

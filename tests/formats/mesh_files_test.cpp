@@ -35,18 +35,18 @@ TEST(BadMeshes, FilesThatCannotBeRead) {
 }
 
 TEST(BadMeshes, MeshesThatAreNoDisk) {
-  is_no_disk(bad("bad_two_parts.obj"), {"2 parts", "of 98, 50 faces", "begins at face 99", "--largest-part"},
+  is_no_disk(bad("bad_two_parts.obj"), {"2 parts", "of 98, 50 faces", "begins at face 99", "`largest_part`"},
              {.largest_part = true});
   is_no_disk(bad("bad_nonmanifold.obj"),
              {"vertices 28 and 29 has 3 faces", "face 99 (counted from 1, line 164)"}, {}, false);
-  is_no_disk(bad("bad_bowtie.off"), {"vertex 35 (counted from 0", "non-manifold vertex", "--largest-part"},
+  is_no_disk(bad("bad_bowtie.off"), {"vertex 35 (counted from 0", "non-manifold vertex", "`largest_part`"},
              {.largest_part = true});
-  is_no_disk(bad("bad_two_loops.obj"), {"2 boundary loops, of 32, 8 edges", "--fill-holes"},
+  is_no_disk(bad("bad_two_loops.obj"), {"2 boundary loops, of 32, 8 edges", "`fill_holes`"},
              {.fill_holes = true});
-  is_no_disk(bad("bad_misoriented.ply"), {"face 40 (counted from 0, line 114)", "--orient"},
+  is_no_disk(bad("bad_misoriented.ply"), {"face 40 (counted from 0, line 114)", "`orient`"},
              {.orient = true});
   is_no_disk(bad("bad_degenerate.off"),
-             {"vertices 14 and 15 are at the same place", "2 such faces", "--drop-degenerate"},
+             {"vertices 14 and 15 are at the same place", "2 such faces", "`drop_degenerate`"},
              {.drop_degenerate = true});
 }
 

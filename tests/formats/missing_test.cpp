@@ -22,18 +22,18 @@ void expect_left_out(const std::string& name, const std::string& missing, const 
   SCOPED_TRACE(name);
   if (!missing.empty()) {
     refuses(name, missing, place);
-    refuses(name, missing, "--nodata nan leaves out the points that miss a value");
+    refuses(name, missing, "`nodata = nan` leaves out the points that miss a value");
     const SourceData data = read(name, missing, kAny);
     EXPECT_EQ(content<PointTable>(data).z, (Doubles{3, 9, 12}));
     EXPECT_EQ(data.left_out, 1);
-    EXPECT_EQ(data.notes.back(), "1 point left out: a value is missing (--nodata nan)");
+    EXPECT_EQ(data.notes.back(), "1 point left out: a value is missing (`nodata = nan`)");
     EXPECT_EQ(content<PointTable>(data).line[1], line + 1);
   }
   const SourceData data = read(name, far, number(-9999));
   EXPECT_EQ(content<PointTable>(data).z, (Doubles{3, 9, 12}));
   EXPECT_EQ(content<PointTable>(data).line[1], line + 1);
   EXPECT_EQ(data.left_out, 1);
-  EXPECT_EQ(data.notes.back(), "1 point left out: the value -9999 stands for none (--nodata)");
+  EXPECT_EQ(data.notes.back(), "1 point left out: the value -9999 stands for none (`nodata`)");
 }
 
 std::string text(const std::string& z, const std::string& mark = ",") {
@@ -51,8 +51,8 @@ TEST(Missing, EveryWordInText) {
       expect_left_out("a.csv", text(word, mark), text("-9999", mark), "a.csv:3: column 3 (z)", 3);
     if (*word != 0) expect_left_out("a.xyz", text(word, " "), text("-9999", " "), "a.xyz:3: column 3 (z)", 3);
   }
-  refuses("a.csv", text("inf"), "a.csv:3: column 3 (z): \"inf\" is not a finite number; --nodata nan");
-  refuses("a.csv", text(""), "a.csv:3: column 3 (z) is empty; --nodata nan");
+  refuses("a.csv", text("inf"), "a.csv:3: column 3 (z): \"inf\" is not a finite number; `nodata = nan`");
+  refuses("a.csv", text(""), "a.csv:3: column 3 (z) is empty; `nodata = nan`");
   EXPECT_EQ(read("a.csv", text("inf"), kAny).left_out, 1);
 }
 
@@ -96,7 +96,7 @@ TEST(Missing, RowsKeepHoles) {
   const auto rows = content<PointRows>(read("a.rows", "1 2 3\n4 5 NA\n\n7 8 9\n1 1 1\n", kAny));
   expect_same(rows.xyz, {1, 2, 3, kNan, kNan, kNan, 7, 8, 9, 1, 1, 1});
   refuses("a.rows", "1 2 3\n4 5 NA\n\n7 8 9\n1 1 1\n",
-          "a.rows:2: column 3 (z): \"NA\" is not a finite number; --nodata nan");
+          "a.rows:2: column 3 (z): \"NA\" is not a finite number; `nodata = nan`");
 }
 
 TEST(Missing, Ply) {

@@ -157,7 +157,7 @@ TEST(Npy, ShapesOfPoints) {
   many.insert(many.end(), four.begin(), four.end());
   refuses("a.npy", doubles("4, 24", many),
           "an array of shape 4 x 24 may be 24 points, one a column, or heights");
-  refuses("a.npy", doubles("4, 24", many), "--input-format npy-grid");
+  refuses("a.npy", doubles("4, 24", many), "`format = npy-grid`");
   options = {};
   options.columns = {"x", "y", "z", "-"};
   EXPECT_EQ(points(doubles("4, 12", four), options).size(), 12);

@@ -136,7 +136,7 @@ TEST(Pcd, SaysWhatIsWrong) {
   refuses("a.pcd", ascii + "1 2 3\n4 5 6\n7 8 9\n", ":14: data after the last point");
   refuses("a.pcd", ascii + "1 2 3\n4 abc 6\n", ":13: y: \"abc\" is not a number");
   refuses("a.pcd", ascii + "1 2 3\n4 inf 6\n", ":13: point 2 (from 1): y is not finite");
-  refuses("a.pcd", ascii + "nan 2 3\n4 5 nan\n", ":12: point 1 (from 1): x is not finite; --nodata nan");
+  refuses("a.pcd", ascii + "nan 2 3\n4 5 nan\n", ":12: point 1 (from 1): x is not finite; `nodata = nan`");
   ReadOptions any;
   any.nodata = kNan;
   refuses("a.pcd", ascii + "nan 2 3\n4 5 nan\n", "every point is NaN", any);

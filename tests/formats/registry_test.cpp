@@ -118,7 +118,7 @@ TEST(Registry, NamesTheFormatsThereAre) {
                             "csv (.csv .tsv .txt .xyz .pts .dat)", "npy (.npy)"})
     refuses("a.foo", "1 2 3\n", words);
   refuses("points", "1 2 3\n", "a name without an extension does not tell the format");
-  refuses("a.foo", "1 2 3\n", "--input-format");
+  refuses("a.foo", "1 2 3\n", "`format`");
   refuses("a.json", "{}", "holds a knotfit surface, not points");
 }
 

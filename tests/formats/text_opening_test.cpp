@@ -64,7 +64,7 @@ TEST(LeadingLines, CountsOfPoints) {
   expect_note(grid, "the numbers of rows and columns: \"2 3\"");
   // Two numbers that count nothing are no header.
   refuses("a.xyz", "2 4\n0 0 1\n1 0 2\n2 0 3\n", "a.xyz:1: 2 columns and no header line");
-  refuses("a.xyz", "2 4\n0 0 1\n1 0 2\n2 0 3\n", "if line 1 is no point, leave it out with --skip-lines 1");
+  refuses("a.xyz", "2 4\n0 0 1\n1 0 2\n2 0 3\n", "if line 1 is no point, leave it out with `skip_lines = 1`");
 }
 
 TEST(LeadingLines, CloudCompareNamesItsColumnsInAComment) {
@@ -82,13 +82,13 @@ TEST(LeadingLines, CloudCompareNamesItsColumnsInAComment) {
 
 TEST(LeadingLines, WhatIsNotCertainIsRefusedWithTheWayOut) {
   // Words as many as columns: a title, or names that nobody knows.
-  refuses("a.xyz", "wing root section\n1 2 3\n4 5 6\n7 8 9\n", "leave the line out with --skip-lines 1");
-  refuses("a.csv", "lon,lat,height\n1,2,3\n4,5,6\n", "name the columns with --columns");
+  refuses("a.xyz", "wing root section\n1 2 3\n4 5 6\n7 8 9\n", "leave the line out with `skip_lines = 1`");
+  refuses("a.csv", "lon,lat,height\n1,2,3\n4,5,6\n", "name the columns with `columns`");
   // A slip in the first point is no title.
   refuses("a.csv", "1.2.3,4,5\n1,2,3\n4,5,6\n", "a.csv:1: column 1 (x): \"1.2.3\" is not a number");
   refuses("a.csv", "1.2.3,4\n1,2,3\n4,5,6\n", "a.csv:1");
   refuses("a.xyz", "1 2 3 by hand\n1 2 3\n4 5 6\n",
-          "if line 1 is no point, leave it out with --skip-lines 1");
+          "if line 1 is no point, leave it out with `skip_lines = 1`");
   refuses("a.csv", "x,y,z\nP1,1,2\n1,2,3\n4,5,6\n", "a.csv:2: column 1 (x): \"P1\" is not a number");
 }
 
@@ -116,7 +116,7 @@ TEST(Blocks, OfACurveAreNeverJoinedUnasked) {
   const char* text = "1 2\n3 4\n\n5 6\n7 8\n9 10\n";
   for (const char* name : {"a.dat", "a.csv", "a.xyz"}) {
     expect_throw<FileError>([&] { curve(text, name); }, "2 blocks of points (2 from line 1, 3 from line 4)");
-    expect_throw<FileError>([&] { curve(text, name); }, "--block N");
+    expect_throw<FileError>([&] { curve(text, name); }, "`block = N`");
     EXPECT_EQ(content<PointTable>(curve(text, name, 1)).x, (Doubles{1, 3}));
     const SourceData second = curve(text, name, 2);
     EXPECT_EQ(content<PointTable>(second).y, (Doubles{6, 8, 10}));

@@ -26,7 +26,7 @@ TEST(WriteFile, ReplacesOnlyWithForce) {
   const std::string path = folder.file("a.txt");
   put(path, false, "old");
   ::chmod(path.c_str(), 0640);
-  expect_throw<FileError>([&] { put(path, false, "new"); }, "exists already; --force replaces it");
+  expect_throw<FileError>([&] { put(path, false, "new"); }, "exists already; `force` replaces it");
   EXPECT_EQ(bytes_of(path), "old");
   put(path, true, "new");
   EXPECT_EQ(bytes_of(path), "new");
@@ -80,7 +80,7 @@ TEST(WriteFile, NamesWhatIsWrongWithTheTarget) {
   both(folder.path().string() + "/", "is a folder; name a file in it");
   both("", "no name given for the output");
   both(folder.file(std::string(300, 'n')), "cannot be written");
-  expect_throw<FileError>([&] { check_writable(folder.file("file"), false); }, "exists already; --force");
+  expect_throw<FileError>([&] { check_writable(folder.file("file"), false); }, "exists already; `force`");
   EXPECT_NO_THROW(check_writable(folder.file("file"), true));
   EXPECT_NO_THROW(check_writable(folder.file("new"), false));
   EXPECT_FALSE(std::filesystem::exists(folder.file("new")));

@@ -33,7 +33,7 @@ TEST(Duplicates, AreNamedByTheirLines) {
   points.values[5] = 1, points.values[30] = 4, points.values[55] = 2;
   for (const char* words :
        {"lines 7, 32 and 57 have equal parameters, u = 0.25 and v = 0.75", "values up to 3 apart",
-        "more than twice the tolerance 1.4", "--duplicates mean, lowest or highest"})
+        "more than twice the tolerance 1.4", "`duplicates = mean`, lowest or highest"})
     expect_throw<InvalidInput>([&] { settle_duplicates(points, DuplicateRule::fail, 1.4); }, words);
   points.map = {"x", "y", 100, 200, 0, 4};
   expect_throw<InvalidInput>([&] { settle_duplicates(points, DuplicateRule::fail, 1.4); },

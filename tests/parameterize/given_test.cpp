@@ -71,7 +71,7 @@ TEST(GivenParameters, OutsideTheSquareNameTheirLinesAndTheOption) {
   PointTable table = table_of(100);
   table.u[12] = 1.2;
   expect_throw<InvalidInput>([&] { parameterize_given(table); },
-                             "line 14: u = 1.2 is outside [0,1]; --rescale-parameters");
+                             "line 14: u = 1.2 is outside [0,1]; `rescale`");
   table.v[44] = -0.05;
   expect_throw<InvalidInput>([&] { parameterize_given(table); },
                              "line 14: u = 1.2 is outside [0,1], likewise line 46;");
@@ -87,7 +87,7 @@ TEST(GivenParameters, OutsideTheSquareNameTheirLinesAndTheOption) {
 TEST(GivenParameters, AreAskedForByTheOptionThatHelps) {
   PointTable table = table_of(10);
   table.u.clear(), table.v.clear();
-  expect_throw<InvalidInput>([&] { parameterize_given(table); }, "--height-field fits z over (x, y)");
+  expect_throw<InvalidInput>([&] { parameterize_given(table); }, "`height_field` fits z over (x, y)");
   table.x.clear(), table.y.clear();
   expect_throw<InvalidInput>([&] { parameterize_given(table); }, "no u, v columns");
 }

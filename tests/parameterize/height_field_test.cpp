@@ -121,7 +121,7 @@ TEST(HeightFieldOfPoints, NeedsXAndY) {
   PointTable table;
   table.z = {1, 2, 3};
   expect_throw<InvalidInput>([&] { parameterize_height_field(table); },
-                             "--height-field fits z over (x, y), and there are no x and y columns");
+                             "`height_field` fits z over (x, y), and there are no x and y columns");
 }
 
 TEST(HeightFieldOfPoints, RefusesPointsThatSpanNoPlane) {

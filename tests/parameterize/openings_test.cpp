@@ -93,8 +93,8 @@ TEST(CloudOpenings, ThreeWindowsOfAPlateAreFoundWhereTheyAre) {
   for (int round = 0; round < 5; ++round) {
     const Points p = sheet(random, 2500, windows);
     expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "3 openings beside the rim, at (");
-    expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "--fill-holes");
-    expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "--height-field");
+    expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "`fill_holes`");
+    expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "`height_field`");
     for (const CloudBase base : {CloudBase::plane, CloudBase::graph}) {
       const CloudMap c = parameterize_cloud(p, {.base = base, .map = {.newton = false}, .fill_holes = true});
       ASSERT_EQ(c.openings.size(), 3u);
@@ -127,8 +127,8 @@ TEST(CloudOpenings, ATubeIsRefusedWithTheCylinderItIs) {
     for (const int count : {1000, 3000}) {
       const Points p = tube(random, count, noise);
       expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "1 opening beside the rim, at (");
-      expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "--base cylinder");
-      expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "--fill-holes");
+      expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "`base = cylinder`");
+      expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "`fill_holes`");
       EXPECT_TRUE(parameterize_cloud(p, {.base = CloudBase::cylinder}).openings.empty());
       const CloudMap filled = parameterize_cloud(p, {.map = {.newton = false}, .fill_holes = true});
       ASSERT_EQ(filled.openings.size(), 1u);
@@ -201,7 +201,7 @@ TEST(CloudOpenings, ASquareThatIsBareInItsCornersIsRefusedOverAPlane) {
   }
   expect_throw<InvalidInput>([&] { parameterize_cloud(p, {.base = CloudBase::plane}); },
                              "of the square would be without data");
-  expect_throw<InvalidInput>([&] { parameterize_cloud(p, {.base = CloudBase::plane}); }, "--base graph");
+  expect_throw<InvalidInput>([&] { parameterize_cloud(p, {.base = CloudBase::plane}); }, "`base = graph`");
   const CloudMap c = parameterize_cloud(p, {.base = CloudBase::plane, .fill_holes = true});
   EXPECT_GT(c.bare, 0.05);
   EXPECT_LT(c.bare, 1 - pi / 4);

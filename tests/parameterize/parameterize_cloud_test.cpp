@@ -146,7 +146,7 @@ TEST(CloudOverACylinder, AFlatCloudIsNone) {
   Points p;
   for (int i = 0; i < 20; ++i)
     for (int j = 0; j < 20; ++j) p.insert(p.end(), {i * 1.0, j * 1.0, 0.0});
-  expect_throw<InvalidInput>([&] { parameterize_cloud(p, {.base = CloudBase::cylinder}); }, "--base plane");
+  expect_throw<InvalidInput>([&] { parameterize_cloud(p, {.base = CloudBase::cylinder}); }, "`base = plane`");
 }
 
 TEST(CloudGraph, FollowsACloudThatFolds) {
@@ -171,7 +171,7 @@ TEST(CloudGraph, SaysWhyThereIsNoSheet) {
   Points fog;
   for (int k = 0; k < 3000; ++k) fog.push_back(random.unit());
   expect_throw<InvalidInput>([&] { parameterize_cloud(fog); }, "fold over their plane");
-  expect_throw<InvalidInput>([&] { parameterize_cloud(fog); }, "--height-field");
+  expect_throw<InvalidInput>([&] { parameterize_cloud(fog); }, "`height_field`");
   EXPECT_EQ(parameterize_cloud(fog, {.base = CloudBase::plane}).base, CloudBase::plane);
 }
 

@@ -20,7 +20,7 @@ TEST(Refusals, FewerPointsThanOnePatch) {
   const ParameterizedPoints points = synthetic_points("franke", 15);
   expect_refused(points, to_tolerance(1e-2),
                  "15 points are fewer than the 16 control points of one patch of degree 3x3");
-  expect_refused(points, to_tolerance(1e-2), "give more points or a lower --degree");
+  expect_refused(points, to_tolerance(1e-2), "give more points or a lower `degree`");
   FitOptions lower = to_tolerance(0.5);
   lower.degree_u = lower.degree_v = 2;
   EXPECT_NE(fit_surface(points, lower).status, Status::not_run);
@@ -29,7 +29,7 @@ TEST(Refusals, FewerPointsThanOnePatch) {
 TEST(Refusals, FewerPointsThanControlPointsAsked) {
   const ParameterizedPoints points = synthetic_points("franke", 99);
   expect_refused(points, at_size(10, 10), "99 points are fewer than 10 x 10 = 100 control points");
-  expect_refused(points, at_size(10, 10), "ask for fewer control points or a lower --degree");
+  expect_refused(points, at_size(10, 10), "ask for fewer control points or a lower `degree`");
   FitOptions given = to_tolerance(1e-2);
   given.knots = InteriorKnots{std::vector<double>(6, 0.0), std::vector<double>(6, 0.0)};
   expect_refused(points, given, "99 points are fewer than 10 x 10");

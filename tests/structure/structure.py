@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the structure of the sources: structure.py ROOT includes|headers|architecture|length|pages.
+"""Checks the structure of the sources: structure.py ROOT includes|headers|architecture|length|flags|pages.
 
 includes      every #include of src/, tool/ and include/ points to the left in ORDER; a public header
               counts as part of the folder that docs/architecture.md gives it
@@ -8,6 +8,7 @@ headers       public headers include the standard library and knotfit/*.h only; 
 architecture  docs/architecture.md and src/CMakeLists.txt tell the same order, and the page lists
               the public headers there are
 length        no source file is longer than 600 lines
+flags         no message or comment of the library names an option of the tool (knotfit/remedy.h names remedies)
 pages         links lead from README.md to every page of docs/, and every link of a page leads to something
 
 Prints every breach as path:line and exits with 1 if there is one. See docs/architecture.md.
@@ -170,6 +171,24 @@ def check_length(root):
             yield f"{path.relative_to(root)}:{lines}: longer than {MAX_LINES} lines: two jobs in one file?"
 
 
+# Commands of other programs, which messages tell a user to run.
+OTHERS = ("libreoffice --headless --convert-to csv",)
+SAID = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)+\'', re.S)
+FLAG = re.compile(r"(?<![\w-])--[a-z][\w-]*|\bknotfit (?:[\w.-]+ )+-[a-z]\b")
+
+
+def check_flags(root):
+    for path in sources(root, ["src", "include"]):
+        text = path.read_text(encoding="utf-8")
+        for said in SAID.finditer(text):
+            words = said[0]
+            for command in OTHERS:
+                words = words.replace(command, " " * len(command))
+            for flag in FLAG.finditer(words):
+                line = text.count("\n", 0, said.start() + flag.start()) + 1
+                yield f"{path.relative_to(root)}:{line}: {flag[0]} is an option of the tool: say it by knotfit/remedy.h"
+
+
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 README = "README.md"
 
@@ -219,6 +238,7 @@ CHECKS = {
     "headers": check_headers,
     "architecture": check_architecture,
     "length": check_length,
+    "flags": check_flags,
     "pages": check_pages,
 }
 

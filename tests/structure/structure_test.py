@@ -88,6 +88,18 @@ class Structure(unittest.TestCase):
         self.one(structure.check_length, {"src/fit/a.cpp": "\n" * 601}, "601")
         self.assertEqual([], self.breaches(structure.check_length, {"src/fit/a.cpp": "\n" * 600}))
 
+    def test_an_option_of_the_tool_in_the_library_is_found(self):
+        for text in ['throw InvalidInput("\\"a\\": --orient turns it");\n', "/// as in --knots\n",
+                     'f("(knotfit convert MESH -o "\n  "points.csv)");\n', "/* one\n   --two */\n"]:
+            for path in ("src/data/a.cpp", "include/knotfit/points.h"):
+                self.one(structure.check_flags, {path: text}, path, "option of the tool")
+        self.one(structure.check_flags, {"src/data/a.cpp": '\n\nf("libreoffice --headless --convert-to csv IN --a");'},
+                 "src/data/a.cpp:3", "--a is")
+        self.assertEqual([], self.breaches(structure.check_flags, {
+            "src/data/a.cpp": "for (; n > 0; --n) x = '\"' - --m;  // n--, a -- b, x--y\nconst int k = 1'000;\n"
+                              'f("libreoffice --headless --convert-to csv IN", "`orient`, -1, ---");\n',
+            "tool/main.cpp": '"--orient"\n'}))
+
     def test_a_page_that_nobody_links_is_found(self):
         pages = {"README.md": "[a](docs/a.md)\n", "docs/a.md": "# A\n[b](sub/b.md#the-b-its-own)\n",
                  structure.DOCUMENT: "[back](../README.md)\n", "docs/sub/b.md": "# The `b`, its own\n"}
