@@ -106,7 +106,7 @@ void add_tolerance_rows(std::vector<OptionRow>& rows) {
                 {kCurve, kSize, "The share of the points that must hold the tolerance"},
                 {kCompare, kCompared, "The share of the points that must hold a tolerance"}},
        .holds =
-           kept(&FitChoices::measure, parse_percentile, [](const MeasureValue& m) { return to_text(m); }),
+           kept(&FitChoices::measure, parse_measure, [](const MeasureValue& m) { return to_text(m); }),
        .first = kFits,
        .stored = {.form = Form::measure,
                   .usual = to_text(MeasureValue{}),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/place_text.h"
+#include "fit/error_measure.h"
 #include "fit_report.h"
 #include "outputs.h"
 #include "standard_streams.h"
@@ -21,15 +22,7 @@ std::string error_text(double error, double diagonal) {
 
 std::string measure_text(const FitChoices& choices) {
   const MeasureValue m = choices.measure.value_or(MeasureValue{});
-  switch (m.measure) {
-    case ErrorMeasure::max:
-      return "at every point";
-    case ErrorMeasure::rms:
-      return "in root mean square";
-    case ErrorMeasure::percentile:
-      return "at " + to_text(m) + " of the points";
-  }
-  return "";
+  return fmt::format(fmt::runtime(row_of(m.measure).where), 100 * m.share);
 }
 
 std::string memory_text(long long bytes) {

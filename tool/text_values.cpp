@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "fit/error_measure.h"
 #include "formats/columns.h"
 #include "formats/missing.h"
 #include "knotfit/exceptions.h"
@@ -106,8 +107,8 @@ MeasureValue parse_percentile(std::string_view text) {
 }
 
 MeasureValue parse_measure(std::string_view text) {
-  if (text == "max") return {ErrorMeasure::max, 1};
-  if (text == "rms") return {ErrorMeasure::rms, 1};
+  for (const ErrorMeasureRow& row : error_measures())
+    if (!row.name.empty() && row.name == text) return {row.measure, 1};
   return parse_percentile(text);
 }
 
@@ -286,8 +287,7 @@ std::string to_text(const ToleranceValue& tolerance) {
 }
 
 std::string to_text(const MeasureValue& measure) {
-  if (measure.measure == ErrorMeasure::max) return "max";
-  if (measure.measure == ErrorMeasure::rms) return "rms";
+  if (const ErrorMeasureRow& row = row_of(measure.measure); !row.needs_share) return std::string(row.name);
   // The shortest percentage that reads back to the same share.
   for (int digits = 3; digits < 17; ++digits) {
     const std::string text = fmt::format("{:.{}g}", 100 * measure.share, digits);

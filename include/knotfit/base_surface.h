@@ -7,7 +7,7 @@
 #include "knotfit/control.h"
 #include "knotfit/parameterize_cloud.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// The bilinearly blended surface of four boundary curves [Coons67], bicubic, 20 x 20 spans.
 /// \param curves  points of each, n x 3 row-major in order; in the order of the boundary or any other, each in either
@@ -21,4 +21,4 @@ Surface coons_surface(const std::array<std::vector<double>, 4>& curves);
 /// \throws InvalidInput  what parameterize_cloud() and closest_points() refuse
 CloudMap parameterize_cloud(std::span<const double> points, const Surface& base, const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "knotfit/knot_vector.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// The degree + 1 basis functions that are not zero on the span, at x [Piegl97 A2.2].
 /// They are >= 0 and sum to 1 within 2 degree eps.
@@ -16,4 +16,4 @@ void basis_functions(const KnotVector& knots, Index span, double x, std::span<do
 /// \param values  (order + 1) x (degree + 1), row-major: row r holds the r-th derivatives
 void basis_derivatives(const KnotVector& knots, Index span, double x, int order, std::span<double> values);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -6,7 +6,7 @@
 
 #include "knotfit/cad_safe.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 enum class CadUnit { millimetre, metre, inch };
 enum class CadFormat { step_ap214, step_ap242, iges };
@@ -46,4 +46,4 @@ std::vector<CadFace> read_cad_faces(const std::string& path, CadUnit unit = CadU
 /// \throws FileError  unreadable, or none is: says why each is not
 std::vector<Surface> read_cad(const std::string& path, CadUnit unit = CadUnit::millimetre);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

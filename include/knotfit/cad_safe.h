@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct CadSafe {
   int degree = 3;                   ///< 1 to 9; raised to it, or approximated within `tolerance`
@@ -20,4 +20,4 @@ struct CadSafe {
 ///   how much it would move the surface
 std::vector<Surface> cad_safe(const Surface& surface, const CadSafe& options = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

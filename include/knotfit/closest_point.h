@@ -6,7 +6,7 @@
 
 #include "knotfit/control.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct ClosestPoint {
   double u = 0, v = 0;
@@ -35,4 +35,4 @@ ClosestPoint closest_point(const Surface& surface, const std::array<double, 3>& 
 ClosestPoints closest_points(const Surface& surface, std::span<const double> points,
                              std::span<const double> start = {}, const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

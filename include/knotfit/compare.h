@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "knotfit/fit_surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct CompareOptions {
   /// Names of placement_methods(), "criterion:curvature" and the like for a feature measure other than
@@ -45,4 +45,4 @@ std::vector<CompareRow> compare_methods(const ParameterizedPoints& points, const
 /// "criterion:curvature" as a method and a measure; "given" is no measure and gives `otherwise`. \throws InvalidInput  unknown
 std::pair<std::string, FeatureMeasure> split_method(std::string_view name, FeatureMeasure otherwise);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "knotfit/picture.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// One method's line: errors at numbers of control points.
 struct ErrorSeries {
@@ -35,4 +35,4 @@ std::string draw_error_maps(const std::vector<ComparedSurface>& surfaces, const 
 /// \throws InvalidInput  an error that is not finite
 double error_range(const std::vector<ComparedSurface>& surfaces);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

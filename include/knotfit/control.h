@@ -4,7 +4,7 @@
 #include <functional>
 #include <stop_token>
 #include <string_view>
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// A report on long work. Reports come from the calling thread.
 struct Progress {
@@ -32,4 +32,4 @@ Control time_left(const Control& control, std::chrono::steady_clock::time_point 
 /// Whether the time limit of work begun at `start` is over; without one it never is.
 bool out_of_time(const Control& control, std::chrono::steady_clock::time_point start);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

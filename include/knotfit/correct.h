@@ -11,7 +11,7 @@
 #include "knotfit/parameterize_mesh.h"
 #include "knotfit/surface.h"
 #include "knotfit/tolerance.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 enum class CorrectionStep {
   tangent,  ///< distances along the normals, a share of those in the tangent plane [Wang06]
@@ -93,4 +93,4 @@ CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const 
                                     const KnotVector& knots_v, const CorrectionOptions& options = {},
                                     const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "knotfit/knot_vector.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// C(t) = sum_i B_i(t) c_i, c_i in R^dimension.
 class Curve {
@@ -35,4 +35,4 @@ std::vector<double> evaluate(const Curve& c, std::span<const double> t);
 Curve insert_knot(const Curve& c, double knot);
 Curve refine(const Curve& c, std::span<const double> added);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

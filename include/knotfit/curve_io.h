@@ -6,7 +6,7 @@
 
 #include "knotfit/cad.h"
 #include "knotfit/curve.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// A curve with what belongs to it in a knotfit JSON file.
 struct CurveDocument {
@@ -37,4 +37,4 @@ void write_cad_curve(const std::string& path, const Curve& curve, const CadOptio
 /// \throws FileError  unreadable, or none in it that is not rational
 std::vector<Curve> read_cad_curves(const std::string& path, CadUnit unit = CadUnit::millimetre);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

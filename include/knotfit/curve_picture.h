@@ -5,7 +5,7 @@
 
 #include "knotfit/curve.h"
 #include "knotfit/picture.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct CurvePictureInput {
   const Curve* curve = nullptr;  ///< planar, in space (seen along its least extent), or one component over t
@@ -19,4 +19,4 @@ struct CurvePictureInput {
 std::string draw_curve_picture(const CurvePictureInput& input, const std::string& extension,
                                const PictureOptions& options = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -4,7 +4,7 @@
 
 #include "knotfit/index.h"
 #include "knotfit/points.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// Points P_k in R^d, in the order the curve runs through them, with parameters t_k.
 struct CurvePoints {
@@ -30,4 +30,4 @@ void validate(const CurvePoints& points);
 /// The points on the border v = 0 of the unit square: u = t.
 ParameterizedPoints on_border(const CurvePoints& points);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

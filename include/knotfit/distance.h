@@ -7,7 +7,7 @@
 #include "knotfit/control.h"
 #include "knotfit/mesh.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// Of distances >= 0, in the data's unit.
 struct DistanceSummary {
@@ -48,4 +48,4 @@ double share_within(const PointDistances& distances, double e);
 DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::span<const double> uv = {},
                                int samples = 700, const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// S(u,v). Error at most (degree_u + degree_v + 2) 4 eps scale() a component.
 /// \param out  dimension entries, written
@@ -39,4 +39,4 @@ struct LocalGeometry {
 /// \throws InvalidInput  the surface is not in R^3
 LocalGeometry local_geometry(const Surface& s, double u, double v);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "knotfit/remedy.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// The caller's mistake: an argument, an option or data that no method can use.
 /// The message says what is wrong, where (index, line) and what to do: the remedies that it names.
@@ -37,4 +37,4 @@ class WriteError : public std::runtime_error {
       : std::runtime_error(path + ": " + message) {}
 };
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

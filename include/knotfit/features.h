@@ -5,7 +5,7 @@
 
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// f on a grid of size_u x size_v equal cells over [0,1]^2: f[i*size_v + j] >= 0 is its value on
 /// cell (i, j), taken at the centre.
@@ -34,4 +34,4 @@ FeatureMap residual_features(const ParameterizedPoints& points, const std::vecto
 /// A value a point given by the user, averaged over each cell, spread likewise.
 FeatureMap point_features(const ParameterizedPoints& points, const std::vector<double>& f, Index size = 200);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

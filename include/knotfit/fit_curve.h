@@ -13,7 +13,7 @@
 #include "knotfit/curve.h"
 #include "knotfit/curve_points.h"
 #include "knotfit/fit_surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct CurveFitOptions {
   std::optional<ToleranceRequest> tolerance;
@@ -63,4 +63,4 @@ struct CurveFitResult {
 CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& options,
                          const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

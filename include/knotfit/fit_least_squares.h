@@ -7,11 +7,15 @@
 #include "knotfit/control.h"
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace knotfit {  // not exported
 
 /// What holds a surface to its data where hardly any point does: an energy whose weights follow the data's own spacing,
 /// its roughness and the errors that are all the same to the caller, and no knots [METHOD 5.1].
 class DataEnergy;
+
+}  // namespace knotfit
+
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// \param scale  > 0, errors of this size are all the same: the tolerance
 /// \throws InvalidInput  points invalid, scale not positive and finite
@@ -63,4 +67,4 @@ struct LeastSquaresResult {
 LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const KnotVector& knots_u,
                                      const KnotVector& knots_v, const LeastSquaresOptions& options = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

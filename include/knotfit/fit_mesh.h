@@ -2,7 +2,7 @@
 #pragma once
 #include "knotfit/correct.h"
 #include "knotfit/fit_surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct MeshFit {
   FitResult result;  ///< its errors are distances to the surface
@@ -34,4 +34,4 @@ struct MeshFit {
 MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,
                  const CorrectionOptions& correction = {}, const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -4,7 +4,7 @@
 // knots in one direction only [METHOD 4.7].
 #pragma once
 #include "knotfit/fit_surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// ParameterMap::shear_u and shear_v: in [-1,1], one of them 0.
 struct Shear {
@@ -27,4 +27,4 @@ struct ShearedFit {
 ShearedFit fit_sheared(const ParameterizedPoints& points, const FitOptions& options,
                        std::optional<Shear> shear = std::nullopt, const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -14,7 +14,7 @@
 #include "knotfit/points.h"
 #include "knotfit/refine.h"
 #include "knotfit/verify.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct ToleranceRequest {
   double value = 0;       ///< > 0
@@ -86,4 +86,4 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
 /// \throws InvalidInput  fewer errors, or one that is negative or not finite
 void judge_all_points(FitResult& result, const std::vector<double>& errors);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

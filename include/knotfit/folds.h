@@ -5,7 +5,7 @@
 
 #include "knotfit/mesh.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// A connected set of folded samples.
 struct FoldPlace {
@@ -45,4 +45,4 @@ inline bool folds_over(const FoldReport& folds) {
 ///   a mesh whose triangles cover no sample
 FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<const double> uv);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -4,7 +4,7 @@
 
 #include "knotfit/points.h"
 #include "knotfit/source_data.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// A node is over the data where a point is within 2.5 spacings of it (spacing: the median circle through the corners of a
 /// triangle, over two rings about the point) and it is in no opening (CloudMap::openings).
@@ -14,4 +14,4 @@ namespace knotfit {
 /// \throws InvalidInput  all points on one line
 std::vector<char> grid_support(const ParameterizedPoints& points, const Raster& grid);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

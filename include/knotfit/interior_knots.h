@@ -1,7 +1,7 @@
 // The knots that a placement chooses.
 #pragma once
 #include <vector>
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// Interior knots of both directions of a surface over [0,1]^2, non-decreasing in (0,1).
 struct InteriorKnots {
@@ -9,4 +9,4 @@ struct InteriorKnots {
   bool operator==(const InteriorKnots&) const = default;
 };
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

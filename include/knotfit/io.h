@@ -14,7 +14,7 @@
 #include "knotfit/points.h"
 #include "knotfit/source_data.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct FormatInfo {
   std::string_view name;        ///< "esri-ascii"
@@ -79,4 +79,4 @@ void write_residuals(std::ostream& out, const ParameterizedPoints& points, std::
 /// ESRI ASCII grid, holes as nodata.
 void write_raster(std::ostream& out, const Raster& raster);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

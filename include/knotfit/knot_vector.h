@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "knotfit/index.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 inline constexpr int kMaxDegree = 9;
 
@@ -56,4 +56,4 @@ class KnotVector {
 /// \throws InvalidInput  degrees or domains differ
 KnotVector merge(const KnotVector& a, const KnotVector& b);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

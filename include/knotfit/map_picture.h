@@ -6,7 +6,7 @@
 
 #include "knotfit/mesh.h"
 #include "knotfit/picture.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct MapPictureInput {
   const Mesh* mesh = nullptr;                    ///< as the map sees it: with the edges halved that it halves
@@ -23,4 +23,4 @@ struct MapPictureInput {
 std::string draw_map_picture(const MapPictureInput& input, const std::string& extension,
                              const PictureOptions& options = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

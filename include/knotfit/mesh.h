@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "knotfit/index.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// Polygons come as fans of triangles; virtual triangles close holes and are never data.
 struct Mesh {
@@ -68,4 +68,4 @@ RepairedMesh repair(const Mesh& mesh, const MeshRepair& options);
 ///   (what repair() offers, or cutting it open)
 void require_disk(const Mesh& mesh);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -7,7 +7,7 @@
 #include "knotfit/mesh.h"
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// A surface as a grid of points, first index along u: entry (i, j) at i * v.size() + j.
 struct Tessellation {
@@ -44,4 +44,4 @@ void write_obj(std::ostream& out, const Mesh& mesh);
 /// Binary; properties x y z, s t where it has parameters.
 void write_ply(std::ostream& out, const Mesh& mesh);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "knotfit/mesh.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct ParameterCheck {
   bool one_to_one = false;
@@ -18,4 +18,4 @@ struct ParameterCheck {
 /// \throws InvalidInput  see inspect(); mesh.uv is not two numbers a vertex
 ParameterCheck check_parameters(const Mesh& mesh);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

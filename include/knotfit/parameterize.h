@@ -2,7 +2,7 @@
 #pragma once
 #include "knotfit/points.h"
 #include "knotfit/source_data.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 enum class RowSpacing { chord, centripetal, uniform };
 enum class DuplicateRule { fail, mean, lowest, highest };
@@ -35,4 +35,4 @@ ParameterizedPoints parameterize_rows(const PointRows& rows, RowSpacing spacing 
 /// \return number of points dropped
 Index settle_duplicates(ParameterizedPoints& points, DuplicateRule rule, double tolerance);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -11,7 +11,7 @@
 #include "knotfit/mesh.h"
 #include "knotfit/openings.h"
 #include "knotfit/parameterize_mesh.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// What the points are projected to.
 enum class CloudBase {
@@ -97,4 +97,4 @@ void map_outline(CloudMap& cloud, const MeshMapOptions& options = {}, const Cont
 /// What a report says: the base, and the points that were left out.
 std::string describe(const CloudMap& cloud);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

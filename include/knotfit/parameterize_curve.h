@@ -5,7 +5,7 @@
 #include "knotfit/curve_points.h"
 #include "knotfit/parameterize.h"
 #include "knotfit/source_data.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// t by the distances between neighbours as the spacing's rule takes them [Piegl97 9.2.1], 0 at the first point and 1
 /// at the last; closed: back at the first, which must not be given again (it is dropped where it is).
@@ -20,4 +20,4 @@ CurvePoints parameterize_curve(std::span<const double> values, int dimension,
 CurvePoints curve_points_of(const SourceData& data, RowSpacing spacing = RowSpacing::chord,
                             bool closed = false, bool function = false);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

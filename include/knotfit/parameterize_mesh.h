@@ -8,7 +8,7 @@
 #include "knotfit/control.h"
 #include "knotfit/mesh.h"
 #include "knotfit/points.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 enum class CornerRule {
   automatic,  ///< both, the lower error of a 20 x 20 uniform fit wins
@@ -96,4 +96,4 @@ ParameterizedPoints mesh_points(const Mesh& mesh, const std::vector<double>& uv)
 std::vector<std::vector<std::array<double, 3>>> parameter_lines(const Mesh& mesh,
                                                                 const std::vector<double>& uv, int count);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

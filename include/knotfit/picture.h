@@ -8,7 +8,7 @@
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
 #include "knotfit/verify.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct PictureInput {
   const Surface* surface = nullptr;             ///< height field (dimension 1) or in R^3
@@ -37,4 +37,4 @@ std::string draw_picture(const PictureInput& input, const std::string& extension
 /// S - P of each point, signed: the difference for height fields, by the surface normal in R^3.
 std::vector<double> signed_errors(const Surface& surface, const ParameterizedPoints& points);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -13,7 +13,7 @@
 #include "knotfit/interior_knots.h"
 #include "knotfit/points.h"
 #include "knotfit/tolerance.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// What whoever places knots is told, at one size or in a search.
 struct KnotOptions {
@@ -101,4 +101,4 @@ Placement descend_criterion(const FeatureMap& features, InteriorKnots start, dou
 /// Equal shares of the marginals of f.
 InteriorKnots equal_share(const FeatureMap& features, int interior_u, int interior_v);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

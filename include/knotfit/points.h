@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "knotfit/index.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// u = (a - a0) / (a1 - a0) for a user's parameter a, likewise v: the inverse is what
 /// evaluation in the user's own coordinates needs.
@@ -76,4 +76,4 @@ struct GridLayout {
 /// The grid the points lie on, or an empty layout where they do not fill one.
 GridLayout find_grid(const ParameterizedPoints& points);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

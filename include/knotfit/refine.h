@@ -9,16 +9,16 @@
 #include "knotfit/fit_least_squares.h"
 #include "knotfit/place.h"
 #include "knotfit/tolerance.h"
-namespace knotfit {
+namespace knotfit::verify {  // not exported
+class SwingSites;
+}
+
+namespace [[gnu::visibility("default")]] knotfit {
 
 enum class RefineRoute {
   search,  ///< sizes p x q from the error model, knots placed anew at each [METHOD 4.1]
   insert   ///< isolines inserted where features or errors are large, re-optimised [Zhang16]
 };
-
-namespace verify {
-class SwingSites;
-}
 
 /// How much work a search with the method "optimal" may take. Counted in fits, never in seconds.
 enum class Effort {
@@ -108,4 +108,4 @@ std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, 
 RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,
                                  const Control& control = {});
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

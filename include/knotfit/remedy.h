@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 enum class Remedy {
   format,           ///< ReadOptions::format: name the format of a file
@@ -56,4 +56,4 @@ std::vector<NamedRemedy> remedies_in(std::string_view text);
 /// The text with every remedy as `say` says it.
 std::string say_remedies(std::string_view text, const std::function<std::string(const NamedRemedy&)>& say);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -7,7 +7,7 @@
 
 #include "knotfit/index.h"
 #include "knotfit/mesh.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// Heights on a regular grid; NaN is a hole. Row 0 is the north (largest y).
 /// The value of column c, row r stands at the cell's centre:
@@ -61,4 +61,4 @@ struct SourceData {
   Index left_out = 0;             ///< points that miss a value (ReadOptions::nodata)
 };
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

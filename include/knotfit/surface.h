@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "knotfit/knot_vector.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// S(u,v) = sum_ij B_i(u) B_j(v) c_ij, c_ij in R^dimension.
 class Surface {
@@ -68,4 +68,4 @@ struct KnotRemoval {
 KnotRemoval remove_knot_u(const Surface& s, double knot, double tolerance);
 KnotRemoval remove_knot_v(const Surface& s, double knot, double tolerance);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

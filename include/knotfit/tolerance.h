@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 #include <vector>
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 enum class ErrorMeasure { max, rms, percentile };
 
@@ -15,4 +15,4 @@ struct Tolerance {
 /// The error that counts: max, RMS, or the quantile at `share`.
 double measured_error(const std::vector<double>& errors, const Tolerance& tolerance);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

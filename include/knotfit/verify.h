@@ -11,7 +11,7 @@
 #include "knotfit/curve_points.h"
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 /// Errors |S(u_k,v_k) - P_k| of every point by de Boor's algorithm on the control net
 /// [deBoor01], apart from the fit's and the library's own evaluation.
@@ -96,4 +96,4 @@ double estimate_noise(const ParameterizedPoints& points, unsigned long long seed
 /// the data has no noise [METHOD 9.4]. 0 below 8 distinct parameters. \throws InvalidInput  points invalid
 double estimate_noise(const CurvePoints& points);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

@@ -1,7 +1,7 @@
 // The library's version.
 #pragma once
 #include <string_view>
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 /// "major.minor.patch"
 std::string_view version();
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

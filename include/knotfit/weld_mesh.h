@@ -2,7 +2,7 @@
 // it gives twice.
 #pragma once
 #include "knotfit/mesh.h"
-namespace knotfit {
+namespace [[gnu::visibility("default")]] knotfit {
 
 struct WeldSummary {
   Index vertices = 0;    ///< that went into another one
@@ -39,4 +39,4 @@ struct DoubledFaces {
 /// \throws InvalidInput  see inspect()
 DoubledFaces drop_doubled_faces(Mesh& mesh);
 
-}  // namespace knotfit
+}  // namespace gnu::visibility("default")]]knotfit

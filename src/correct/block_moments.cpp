@@ -43,15 +43,21 @@ constexpr int kMost = 24;  // padded_moments(2 * kMaxDegree + 1)
   return trace;
 }
 
-}  // namespace
-
-KNOTFIT_CLONES double add_block_moments(std::span<const BlockPoint> points, int degree_outer,
-                                        int degree_inner, const double* basis_outer,
-                                        const double* basis_inner, int parts, double* moments,
-                                        double* right) {
+/// Local, as a shared library would export its chooser otherwise.
+KNOTFIT_CLONES double add_clones(std::span<const BlockPoint> points, int degree_outer, int degree_inner,
+                                 const double* basis_outer, const double* basis_inner, int parts,
+                                 double* moments, double* right) {
   if (degree_outer == 3 && degree_inner == 3)
     return add(points, 4, 4, basis_outer, basis_inner, parts, moments, right);
   return add(points, degree_outer + 1, degree_inner + 1, basis_outer, basis_inner, parts, moments, right);
+}
+
+}  // namespace
+
+double add_block_moments(std::span<const BlockPoint> points, int degree_outer, int degree_inner,
+                         const double* basis_outer, const double* basis_inner, int parts, double* moments,
+                         double* right) {
+  return add_clones(points, degree_outer, degree_inner, basis_outer, basis_inner, parts, moments, right);
 }
 
 }  // namespace knotfit::correction

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "correct/penalised_error.h"
+#include "fit/error_measure.h"
 namespace knotfit::correction {
 namespace {
 
@@ -165,8 +166,10 @@ Judgement MeshAtParameters::judge(const CellPolynomials& surface) const {
       });
   judgement.rms = errors.weight > 0 ? std::sqrt(errors.square / errors.weight) : 0;
   judgement.max = std::sqrt(errors.max);
-  judgement.error = options_.keep_by.measure == ErrorMeasure::rms ? judgement.rms : judgement.max;
-  if (options_.keep_by.measure == ErrorMeasure::percentile) {
+  const ErrorMeasureRow& row = row_of(options_.keep_by.measure);
+  if (row.of_sums) {
+    judgement.error = row.of_sums(judgement.rms, judgement.max);
+  } else {
     std::vector<double> distances;
     for (std::size_t i = 0; i < base_.size(); ++i)
       if (points_.data[i]) distances.push_back(std::sqrt(judgement.squared[i]));

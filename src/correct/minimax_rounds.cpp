@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "fit/error_measure.h"
 namespace knotfit::correction {
 namespace {
 
@@ -38,7 +40,7 @@ bool minimax_rounds(
     MeshAtParameters& mesh, Surface surface, const CorrectionOptions& options,
     std::vector<double>& hinge_weights, const Stage& stage,
     const std::function<bool(const CorrectionRound&, const Judgement&, const Surface&)>& visit) {
-  const bool capped = options.keep_by.measure == ErrorMeasure::percentile;
+  const bool capped = row_of(options.keep_by.measure).spares_worst;
   Judgement judgement = mesh.judge(CellPolynomials(surface));
   double share = 1;
   std::size_t at = 0;  // of the powers

@@ -8,6 +8,7 @@
 
 #include "correct/final_parameters.h"
 #include "data/mesh_data.h"
+#include "fit/error_measure.h"
 #include "knotfit/exceptions.h"
 namespace knotfit::correction {
 namespace {
@@ -40,7 +41,7 @@ void check(const Mesh& mesh, const std::vector<double>& uv, const CorrectionOpti
   check_range(options.aspect, 0, 1e6, "the aspect");
   check_range(options.minimax_rounds, 0, 100000, "the number of minimax rounds");
   check_range(options.keep_by.value, 0, 1e300, "the error that ends the rounds");
-  if (options.keep_by.measure == ErrorMeasure::percentile)
+  if (row_of(options.keep_by.measure).needs_share)
     check_range(options.keep_by.share, 1e-12, 1, "the share of the points");
   if (options.data_vertices > mesh.vertex_count())
     throw InvalidInput(fmt::format("{} vertices are to be data; the mesh has {}", options.data_vertices,

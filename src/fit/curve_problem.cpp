@@ -7,7 +7,7 @@
 
 #include "knotfit/basis.h"
 #include "knotfit/fit_least_squares.h"
-#include "solve/axis.h"
+#include "solve/band_places.h"
 #include "solve/banded.h"
 #include "solve/gauss_rule.h"
 #include "solve/smoothing_floor.h"
@@ -18,24 +18,6 @@ constexpr double kSecondFloor = 1e-14;  // the first beyond none, in one directi
 // Knots so close that rounding beats every floor: of the trace, what keeps functions that meet no data at the centre of the
 // frame. Rounding is 1e-16, and a share of 1e-12 is taken out by the refinement step where data is.
 constexpr double kRidge = 1e-12;
-
-/// Where the functions of an axis stand in a band. Those of a period are numbered from both sides of the seam in turn, so that
-/// neighbours on the ring are at most 2 degree + 1 apart.
-class BandPlaces {
- public:
-  explicit BandPlaces(const Axis& axis) : n_(axis.functions()), ring_(axis.is_periodic()) {}
-  Index operator()(Index function) const {
-    if (!ring_) return function;
-    return 2 * function < n_ ? 2 * function : 2 * (n_ - 1 - function) + 1;
-  }
-  static Index bandwidth(const Axis& axis) {
-    return axis.is_periodic() ? 2 * axis.degree() + 1 : axis.degree();
-  }
-
- private:
-  Index n_;
-  bool ring_;
-};
 
 void add(BandMatrix& matrix, Index i, Index j, double value) {
   matrix.add(std::max(i, j), std::min(i, j), value);
@@ -173,7 +155,7 @@ bool CurveProblem::solve(const std::vector<double>& knots) {
   const Axis axis = points_.closed ? Axis::periodic(degree_, knots) : Axis(degree_, knots);
   const Index n = axis.functions();
   const Rows rows(points_, axis);
-  BandMatrix normal(n, BandPlaces::bandwidth(axis)), held(n, BandPlaces::bandwidth(axis));
+  BandMatrix normal(n, rows.place.bandwidth()), held(n, rows.place.bandwidth());
   rows.add_gram(normal);
   std::vector<double> data(n * d, 0.0), goals(n * d, 0.0), weighted;
   for (Index k = 0; k < points_.size(); ++k)

@@ -6,7 +6,6 @@
 #include "base/quantile.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/fit_least_squares.h"
-#include "knotfit/tolerance.h"
 namespace knotfit {
 
 double error_quantile(std::vector<double> errors, double share) {
@@ -45,22 +44,6 @@ ErrorSummary summarize_errors(const std::vector<double>& errors, const Parameter
   summary.p99 = sorted[quantile_position(sorted.size(), 0.99)];
   summary.p995 = sorted[quantile_position(sorted.size(), 0.995)];
   return summary;
-}
-
-double measured_error(const std::vector<double>& errors, const Tolerance& tolerance) {
-  if (errors.empty()) throw InvalidInput("no errors to measure");
-  switch (tolerance.measure) {
-    case ErrorMeasure::max:
-      return *std::max_element(errors.begin(), errors.end());
-    case ErrorMeasure::rms: {
-      double squares = 0;
-      for (double e : errors) squares += e * e;
-      return std::sqrt(squares / static_cast<double>(errors.size()));
-    }
-    case ErrorMeasure::percentile:
-      break;
-  }
-  return error_quantile(errors, tolerance.share);
 }
 
 }  // namespace knotfit

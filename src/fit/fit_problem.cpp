@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/error_measure.h"
 #include "knotfit/exceptions.h"
 #include "solve/banded_system.h"
 #include "solve/kronecker_system.h"
@@ -97,15 +98,9 @@ Surface FitProblem::surface() const {
 }
 
 double FitProblem::measured(const Tolerance& tolerance) const {
-  switch (tolerance.measure) {
-    case ErrorMeasure::max:
-      return max_;
-    case ErrorMeasure::rms:
-      return rms_;
-    case ErrorMeasure::percentile:
-      break;
-  }
-  return std::isfinite(max_) ? error_quantile(errors(), tolerance.share) : max_;
+  const ErrorMeasureRow& row = row_of(tolerance.measure);
+  if (row.of_sums) return row.of_sums(rms_, max_);
+  return std::isfinite(max_) ? row.of_errors(errors(), tolerance.share) : max_;
 }
 
 }  // namespace knotfit

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/deadline.h"
+#include "fit/error_measure.h"
 #include "pipeline/message.h"
 #include "pipeline/request.h"
 #include "pipeline/verdict.h"
@@ -162,7 +163,7 @@ MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options
   if (options.tolerance) {
     how.keep_by.measure = options.tolerance->measure;
     how.keep_by.share = options.tolerance->share;
-    if (options.tolerance->measure == ErrorMeasure::max && correction.reweighting == 0.1)
+    if (row_of(options.tolerance->measure).every_point && correction.reweighting == 0.1)
       how.reweighting = 1;  // the maximum counts
   }
   FitResult& r = fit.result;

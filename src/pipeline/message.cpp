@@ -1,20 +1,10 @@
 #include "pipeline/message.h"
 
 #include <fmt/format.h>
+
+#include "fit/error_measure.h"
 namespace knotfit {
 namespace {
-
-std::string measure_name(const Tolerance& t) {
-  switch (t.measure) {
-    case ErrorMeasure::max:
-      return "largest error";
-    case ErrorMeasure::rms:
-      return "RMS error";
-    case ErrorMeasure::percentile:
-      break;
-  }
-  return fmt::format("error of {:g} % of the points", 100 * t.share);
-}
 
 /// What a sentence needs of a result.
 struct Told {
@@ -29,7 +19,7 @@ struct Told {
 
 std::string measured_text(double measured, double tolerance, const Tolerance& asked,
                           const ErrorSummary& error) {
-  return tolerance > 0 ? fmt::format("{} {:.4g}, tolerance {:.4g}", measure_name(asked), measured, tolerance)
+  return tolerance > 0 ? fmt::format("{} {:.4g}, tolerance {:.4g}", words_of(asked), measured, tolerance)
                        : fmt::format("RMS error {:.4g}, largest {:.4g}", error.rms, error.max);
 }
 

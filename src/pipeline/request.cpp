@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "data/strays.h"
+#include "fit/error_measure.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/remedy.h"
 namespace knotfit {
@@ -128,7 +129,7 @@ Tolerance absolute_tolerance(const ToleranceRequest& request, const Parameterize
                              double diagonal, double rounding) {
   if (!(request.value > 0) || !std::isfinite(request.value))
     throw InvalidInput(fmt::format("the tolerance is {}: it must be positive and finite", request.value));
-  if (request.measure == ErrorMeasure::percentile && !(request.share > 0 && request.share <= 1))
+  if (row_of(request.measure).needs_share && !(request.share > 0 && request.share <= 1))
     throw InvalidInput(
         fmt::format("a share of {} % of the points: it must lie in (0, 100]", 100 * request.share));
   if (request.relative && !(diagonal > 0))

@@ -7,16 +7,9 @@
 
 #include "knotfit/interior_knots.h"
 #include "knotfit/points.h"
-#include "knotfit/tolerance.h"
 #include "search/minimax.h"
 #include "verify/reference_field.h"
 namespace knotfit {
-
-/// How far beyond its slack a place may be before it joins: a maximum is one at every place, a root mean square or a
-/// percentile is not.
-inline double guard_looseness(const Tolerance& tolerance) {
-  return tolerance.measure == ErrorMeasure::max ? 1 : 3;
-}
 
 /// References are expensive, so a place gets its own only where a net could go astray there: where the gap in
 /// the data is wide for the cell, or the cell holds few points. (Of all that a full cover found astray on

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/deadline.h"
+#include "fit/error_measure.h"
 #include "fit/fit_problem.h"
 #include "search/routes.h"
 #include "verify/swings.h"
@@ -17,8 +18,7 @@ std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, 
 }
 
 double energy_scale(const Tolerance& tolerance) {
-  // A root mean square lets single errors be larger: three times it is what most of them stay below.
-  return (tolerance.measure == ErrorMeasure::rms ? 3 : 1) * tolerance.value;
+  return row_of(tolerance.measure).energy_scale * tolerance.value;
 }
 
 void hold(RefineResult& result, const ParameterizedPoints& points, const RefineOptions& options,

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/deadline.h"
+#include "fit/error_measure.h"
 #include "fit/knot_loss.h"
 #include "fit/moving_fit.h"
 #include "place/error_model.h"
@@ -284,7 +285,7 @@ class Insertion {
   /// for a maximum by minimax.
   void prune_moving() {
     attempts_.set_stage("prune, knots moving");
-    const bool minimax = attempts_.tolerance().measure == ErrorMeasure::max;
+    const bool minimax = row_of(attempts_.tolerance().measure).every_point;
     InteriorKnots knots = attempts_.best();
     for (bool dropped = true; dropped;) {
       dropped = false;
@@ -357,8 +358,8 @@ RefineResult insert_isolines(FitProblem& data, const RefineOptions& options, con
   if (!options.guard) return Insertion(data, plain, &plain, nullptr, options, control).run();
   const InteriorKnots metric =
       PlacementContext(plain, placement_options(options), control).fine_model().knots;
-  Guard guard(data.points(), options.tolerance.value, guard_looseness(options.tolerance), metric,
-              [&] { return deadline.over(); });
+  Guard guard(data.points(), options.tolerance.value, row_of(options.tolerance.measure).guard_looseness,
+              metric, [&] { return deadline.over(); });
   MovingFit guarded(guard.points(), options.degree_u, options.degree_v, fit);
   guarded.count_first(data.points().size());
   RefineResult result = Insertion(data, guarded, &guarded, &guard, options, deadline.left()).run();

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "fit/error_measure.h"
 #include "place/levenberg.h"
 #include "search/mesh_knots.h"
 namespace knotfit {
@@ -72,7 +73,7 @@ CorrectionRun MeshRounds::polished(CorrectionRun base) const {
   if (!base.surface || meets(base)) return base;
   CorrectionRun last =
       correct(base.uv, knots_of(*base.surface), &*base.surface, kLastRounds, tolerance_.value,
-              tolerance_.measure == ErrorMeasure::rms ? 0 : kMinimaxRounds);
+              row_of(tolerance_.measure).by_least_squares ? 0 : kMinimaxRounds);
   return last.penalised_error() < base.penalised_error() ? after(std::move(base), std::move(last))
                                                          : std::move(base);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/deadline.h"
+#include "fit/error_measure.h"
 #include "search/better_of.h"
 #include "search/optimized_sizes.h"
 #include "search/routes.h"
@@ -103,8 +104,8 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   std::optional<Guard> guard;
   if (options.guard && !attempts.stopped()) {
     attempts.set_stage("reference");
-    guard.emplace(data.points(), options.tolerance.value, guard_looseness(options.tolerance), fine.knots,
-                  [&] { return attempts.stopped(); });
+    guard.emplace(data.points(), options.tolerance.value, row_of(options.tolerance.measure).guard_looseness,
+                  fine.knots, [&] { return attempts.stopped(); });
   }
   const LeastSquaresOptions fit = search_fits(options);
   MovingFit problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);

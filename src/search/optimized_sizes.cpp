@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "fit/error_measure.h"
 #include "place/shares.h"
 namespace knotfit {
 namespace {
@@ -44,7 +45,7 @@ OptimizedSizes::OptimizedSizes(MovingFit& problem, PlacementContext& context, Gu
       guard_(guard),
       attempts_(attempts),
       options_(options),
-      to_maximum_(options.tolerance.measure == ErrorMeasure::max) {
+      to_maximum_(row_of(options.tolerance.measure).every_point) {
   levenberg_.fall = 2e-3;
   levenberg_.stop = [this] { return attempts_.stopped(); };
   context_.options().rounds = 4;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/deadline.h"
+#include "fit/error_measure.h"
 #include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
 #include "search/routes.h"
@@ -19,7 +20,7 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
   const Tolerance& t = options.tolerance;
   if (!(t.value > 0) || !std::isfinite(t.value))
     throw InvalidInput(fmt::format("the tolerance is {}: it must be positive and finite", t.value));
-  if (t.measure == ErrorMeasure::percentile && !(t.share > 0 && t.share < 1))
+  if (row_of(t.measure).needs_share && !(t.share > 0 && t.share < 1))
     throw InvalidInput(fmt::format("a percentile of {} %: it must lie between 0 and 100 %", 100 * t.share));
   double largest = 0;
   for (double x : points.values) largest = std::max(largest, std::abs(x));

@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kColumns = 8;  // of right-hand sides, taken side by side in vector registers
 
-}  // namespace
+// Clones are local: a shared library would export the choosers of others.
 
-KNOTFIT_CLONES bool factor_narrow_band(double* band, Index rows, Index bandwidth) {
+KNOTFIT_CLONES bool factor_narrow_band_clones(double* band, Index rows, Index bandwidth) {
   for (Index j = 0; j < rows; ++j) {
     double* __restrict column = band + j * (bandwidth + 1);
     if (!(column[0] > 0)) return false;
@@ -27,7 +27,7 @@ KNOTFIT_CLONES bool factor_narrow_band(double* band, Index rows, Index bandwidth
   return true;
 }
 
-KNOTFIT_CLONES void forward_block(const double* factor, Index rows, Index bandwidth, double* x) {
+KNOTFIT_CLONES void forward_block_clones(const double* factor, Index rows, Index bandwidth, double* x) {
   Index first = 0;
   for (; first < rows; ++first) {  // rows of zeros stay zero
     bool zero = true;
@@ -44,13 +44,27 @@ KNOTFIT_CLONES void forward_block(const double* factor, Index rows, Index bandwi
   }
 }
 
-KNOTFIT_CLONES void block_products(const double* x, const double* y, Index rows, double* products) {
+KNOTFIT_CLONES void block_products_clones(const double* x, const double* y, Index rows, double* products) {
   double sum[kColumns][kColumns] = {};
   for (Index row = 0; row < rows; ++row)
     for (int i = 0; i < kColumns; ++i)
       for (int j = 0; j < kColumns; ++j) sum[i][j] += x[row * kColumns + i] * y[row * kColumns + j];
   for (int i = 0; i < kColumns; ++i)
     for (int j = 0; j < kColumns; ++j) products[i * kColumns + j] = sum[i][j];
+}
+
+}  // namespace
+
+bool factor_narrow_band(double* band, Index rows, Index bandwidth) {
+  return factor_narrow_band_clones(band, rows, bandwidth);
+}
+
+void forward_block(const double* factor, Index rows, Index bandwidth, double* x) {
+  forward_block_clones(factor, rows, bandwidth, x);
+}
+
+void block_products(const double* x, const double* y, Index rows, double* products) {
+  block_products_clones(x, y, rows, products);
 }
 
 }  // namespace knotfit
