@@ -105,8 +105,7 @@ void add_tolerance_rows(std::vector<OptionRow>& rows) {
                  "default 100%: the maximum counts"},
                 {kCurve, kSize, "The share of the points that must hold the tolerance"},
                 {kCompare, kCompared, "The share of the points that must hold a tolerance"}},
-       .holds =
-           kept(&FitChoices::measure, parse_measure, [](const MeasureValue& m) { return to_text(m); }),
+       .holds = kept(&FitChoices::measure, parse_measure, [](const MeasureValue& m) { return to_text(m); }),
        .first = kFits,
        .stored = {.form = Form::measure,
                   .usual = to_text(MeasureValue{}),

@@ -21,4 +21,4 @@ Surface coons_surface(const std::array<std::vector<double>, 4>& curves);
 /// \throws InvalidInput  what parameterize_cloud() and closest_points() refuse
 CloudMap parameterize_cloud(std::span<const double> points, const Surface& base, const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

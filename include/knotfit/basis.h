@@ -16,4 +16,4 @@ void basis_functions(const KnotVector& knots, Index span, double x, std::span<do
 /// \param values  (order + 1) x (degree + 1), row-major: row r holds the r-th derivatives
 void basis_derivatives(const KnotVector& knots, Index span, double x, int order, std::span<double> values);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

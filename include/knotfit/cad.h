@@ -46,4 +46,4 @@ std::vector<CadFace> read_cad_faces(const std::string& path, CadUnit unit = CadU
 /// \throws FileError  unreadable, or none is: says why each is not
 std::vector<Surface> read_cad(const std::string& path, CadUnit unit = CadUnit::millimetre);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -20,4 +20,4 @@ struct CadSafe {
 ///   how much it would move the surface
 std::vector<Surface> cad_safe(const Surface& surface, const CadSafe& options = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

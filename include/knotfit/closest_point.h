@@ -35,4 +35,4 @@ ClosestPoint closest_point(const Surface& surface, const std::array<double, 3>& 
 ClosestPoints closest_points(const Surface& surface, std::span<const double> points,
                              std::span<const double> start = {}, const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -45,4 +45,4 @@ std::vector<CompareRow> compare_methods(const ParameterizedPoints& points, const
 /// "criterion:curvature" as a method and a measure; "given" is no measure and gives `otherwise`. \throws InvalidInput  unknown
 std::pair<std::string, FeatureMeasure> split_method(std::string_view name, FeatureMeasure otherwise);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

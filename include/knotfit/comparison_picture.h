@@ -35,4 +35,4 @@ std::string draw_error_maps(const std::vector<ComparedSurface>& surfaces, const 
 /// \throws InvalidInput  an error that is not finite
 double error_range(const std::vector<ComparedSurface>& surfaces);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

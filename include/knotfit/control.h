@@ -32,4 +32,4 @@ Control time_left(const Control& control, std::chrono::steady_clock::time_point 
 /// Whether the time limit of work begun at `start` is over; without one it never is.
 bool out_of_time(const Control& control, std::chrono::steady_clock::time_point start);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -93,4 +93,4 @@ CorrectionResult correct_parameters(const Mesh& mesh, const MeshMap& map, const 
                                     const KnotVector& knots_v, const CorrectionOptions& options = {},
                                     const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

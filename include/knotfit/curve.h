@@ -35,4 +35,4 @@ std::vector<double> evaluate(const Curve& c, std::span<const double> t);
 Curve insert_knot(const Curve& c, double knot);
 Curve refine(const Curve& c, std::span<const double> added);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -37,4 +37,4 @@ void write_cad_curve(const std::string& path, const Curve& curve, const CadOptio
 /// \throws FileError  unreadable, or none in it that is not rational
 std::vector<Curve> read_cad_curves(const std::string& path, CadUnit unit = CadUnit::millimetre);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -19,4 +19,4 @@ struct CurvePictureInput {
 std::string draw_curve_picture(const CurvePictureInput& input, const std::string& extension,
                                const PictureOptions& options = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

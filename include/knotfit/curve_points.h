@@ -30,4 +30,4 @@ void validate(const CurvePoints& points);
 /// The points on the border v = 0 of the unit square: u = t.
 ParameterizedPoints on_border(const CurvePoints& points);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

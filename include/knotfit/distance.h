@@ -48,4 +48,4 @@ double share_within(const PointDistances& distances, double e);
 DistanceSummary mesh_distances(const Surface& surface, const Mesh& mesh, std::span<const double> uv = {},
                                int samples = 700, const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -39,4 +39,4 @@ struct LocalGeometry {
 /// \throws InvalidInput  the surface is not in R^3
 LocalGeometry local_geometry(const Surface& s, double u, double v);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -37,4 +37,4 @@ class WriteError : public std::runtime_error {
       : std::runtime_error(path + ": " + message) {}
 };
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -34,4 +34,4 @@ FeatureMap residual_features(const ParameterizedPoints& points, const std::vecto
 /// A value a point given by the user, averaged over each cell, spread likewise.
 FeatureMap point_features(const ParameterizedPoints& points, const std::vector<double>& f, Index size = 200);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

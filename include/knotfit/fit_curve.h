@@ -63,4 +63,4 @@ struct CurveFitResult {
 CurveFitResult fit_curve(const CurvePoints& points, const CurveFitOptions& options,
                          const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -67,4 +67,4 @@ struct LeastSquaresResult {
 LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const KnotVector& knots_u,
                                      const KnotVector& knots_v, const LeastSquaresOptions& options = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -34,4 +34,4 @@ struct MeshFit {
 MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options,
                  const CorrectionOptions& correction = {}, const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

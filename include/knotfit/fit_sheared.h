@@ -27,4 +27,4 @@ struct ShearedFit {
 ShearedFit fit_sheared(const ParameterizedPoints& points, const FitOptions& options,
                        std::optional<Shear> shear = std::nullopt, const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

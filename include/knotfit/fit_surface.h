@@ -86,4 +86,4 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
 /// \throws InvalidInput  fewer errors, or one that is negative or not finite
 void judge_all_points(FitResult& result, const std::vector<double>& errors);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -45,4 +45,4 @@ inline bool folds_over(const FoldReport& folds) {
 ///   a mesh whose triangles cover no sample
 FoldReport measure_folds(const Surface& surface, const Mesh& mesh, std::span<const double> uv);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -14,4 +14,4 @@ namespace [[gnu::visibility("default")]] knotfit {
 /// \throws InvalidInput  all points on one line
 std::vector<char> grid_support(const ParameterizedPoints& points, const Raster& grid);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -4,4 +4,4 @@
 namespace [[gnu::visibility("default")]] knotfit {
 /// Counts, offsets and indices: signed, so that `i - degree` is safe.
 using Index = std::ptrdiff_t;
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -9,4 +9,4 @@ struct InteriorKnots {
   bool operator==(const InteriorKnots&) const = default;
 };
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -79,4 +79,4 @@ void write_residuals(std::ostream& out, const ParameterizedPoints& points, std::
 /// ESRI ASCII grid, holes as nodata.
 void write_raster(std::ostream& out, const Raster& raster);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -56,4 +56,4 @@ class KnotVector {
 /// \throws InvalidInput  degrees or domains differ
 KnotVector merge(const KnotVector& a, const KnotVector& b);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

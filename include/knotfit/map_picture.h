@@ -23,4 +23,4 @@ struct MapPictureInput {
 std::string draw_map_picture(const MapPictureInput& input, const std::string& extension,
                              const PictureOptions& options = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

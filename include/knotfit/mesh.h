@@ -68,4 +68,4 @@ RepairedMesh repair(const Mesh& mesh, const MeshRepair& options);
 ///   (what repair() offers, or cutting it open)
 void require_disk(const Mesh& mesh);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

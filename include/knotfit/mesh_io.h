@@ -44,4 +44,4 @@ void write_obj(std::ostream& out, const Mesh& mesh);
 /// Binary; properties x y z, s t where it has parameters.
 void write_ply(std::ostream& out, const Mesh& mesh);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

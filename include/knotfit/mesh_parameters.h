@@ -18,4 +18,4 @@ struct ParameterCheck {
 /// \throws InvalidInput  see inspect(); mesh.uv is not two numbers a vertex
 ParameterCheck check_parameters(const Mesh& mesh);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

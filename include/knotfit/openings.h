@@ -28,4 +28,4 @@ double covered_share(const Mesh& mesh, std::span<const double> uv, const std::ve
 /// "2 openings beside the rim, at (1, 2, 0) 6.28 around, at (4, 2, 0) 3.14 around": the first five.
 std::string describe(const std::vector<Opening>& openings);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

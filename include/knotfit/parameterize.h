@@ -35,4 +35,4 @@ ParameterizedPoints parameterize_rows(const PointRows& rows, RowSpacing spacing 
 /// \return number of points dropped
 Index settle_duplicates(ParameterizedPoints& points, DuplicateRule rule, double tolerance);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -97,4 +97,4 @@ void map_outline(CloudMap& cloud, const MeshMapOptions& options = {}, const Cont
 /// What a report says: the base, and the points that were left out.
 std::string describe(const CloudMap& cloud);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

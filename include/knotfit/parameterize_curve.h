@@ -20,4 +20,4 @@ CurvePoints parameterize_curve(std::span<const double> values, int dimension,
 CurvePoints curve_points_of(const SourceData& data, RowSpacing spacing = RowSpacing::chord,
                             bool closed = false, bool function = false);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -96,4 +96,4 @@ ParameterizedPoints mesh_points(const Mesh& mesh, const std::vector<double>& uv)
 std::vector<std::vector<std::array<double, 3>>> parameter_lines(const Mesh& mesh,
                                                                 const std::vector<double>& uv, int count);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -37,4 +37,4 @@ std::string draw_picture(const PictureInput& input, const std::string& extension
 /// S - P of each point, signed: the difference for height fields, by the surface normal in R^3.
 std::vector<double> signed_errors(const Surface& surface, const ParameterizedPoints& points);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

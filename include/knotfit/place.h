@@ -101,4 +101,4 @@ Placement descend_criterion(const FeatureMap& features, InteriorKnots start, dou
 /// Equal shares of the marginals of f.
 InteriorKnots equal_share(const FeatureMap& features, int interior_u, int interior_v);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

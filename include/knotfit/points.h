@@ -76,4 +76,4 @@ struct GridLayout {
 /// The grid the points lie on, or an empty layout where they do not fill one.
 GridLayout find_grid(const ParameterizedPoints& points);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -108,4 +108,4 @@ std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, 
 RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,
                                  const Control& control = {});
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -56,4 +56,4 @@ std::vector<NamedRemedy> remedies_in(std::string_view text);
 /// The text with every remedy as `say` says it.
 std::string say_remedies(std::string_view text, const std::function<std::string(const NamedRemedy&)>& say);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

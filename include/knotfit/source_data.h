@@ -61,4 +61,4 @@ struct SourceData {
   Index left_out = 0;             ///< points that miss a value (ReadOptions::nodata)
 };
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -68,4 +68,4 @@ struct KnotRemoval {
 KnotRemoval remove_knot_u(const Surface& s, double knot, double tolerance);
 KnotRemoval remove_knot_v(const Surface& s, double knot, double tolerance);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

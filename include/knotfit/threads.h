@@ -3,4 +3,4 @@
 namespace [[gnu::visibility("default")]] knotfit {
 /// Threads for all later work of this process; 0: as many as there are cores.
 void set_thread_count(int threads);
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -15,4 +15,4 @@ struct Tolerance {
 /// The error that counts: max, RMS, or the quantile at `share`.
 double measured_error(const std::vector<double>& errors, const Tolerance& tolerance);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -96,4 +96,4 @@ double estimate_noise(const ParameterizedPoints& points, unsigned long long seed
 /// the data has no noise [METHOD 9.4]. 0 below 8 distinct parameters. \throws InvalidInput  points invalid
 double estimate_noise(const CurvePoints& points);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -4,4 +4,4 @@
 namespace [[gnu::visibility("default")]] knotfit {
 /// "major.minor.patch"
 std::string_view version();
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit

@@ -39,4 +39,4 @@ struct DoubledFaces {
 /// \throws InvalidInput  see inspect()
 DoubledFaces drop_doubled_faces(Mesh& mesh);
 
-}  // namespace gnu::visibility("default")]]knotfit
+}  // namespace knotfit
