@@ -167,12 +167,40 @@ TEST(Correction, StopsWithTheBestSoFar) {
   EXPECT_GT(r.distance.rms, 0);
 }
 
+/// The place on the outline of the square, from (0,0) on by (1,0), in [0,4).
+double along_outline(const double* p) {
+  return p[1] == 0 ? p[0] : p[0] == 1 ? 1 + p[1] : p[1] == 1 ? 3 - p[0] : 4 - p[1];
+}
+
 TEST(Correction, CornersMayGoRound) {
-  // Every boundary vertex a third of a side away from where it belongs.
+  // The outline turned by one and a quarter of the steps between its vertices: some lie past a corner.
   Mapped m = ridge(16, 5);
+  const auto on_outline = [](const double* p) { return p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1; };
+  for (Index k = 0; k < m.mesh.vertex_count(); ++k) {
+    double* p = &m.uv[2 * k];
+    if (!on_outline(p)) continue;
+    const double t = std::fmod(along_outline(p) + 1.0 / 16 + 1.0 / 64, 4.0), s = t - std::floor(t);
+    const int side = static_cast<int>(t);
+    p[0] = side == 0 ? s : side == 1 ? 1 : side == 2 ? 1 - s : 0;
+    p[1] = side == 0 ? 0 : side == 1 ? s : side == 2 ? 1 : 1 - s;
+  }
   CorrectionOptions options;
   options.round_corners = true;
   const CorrectionResult r = correct_parameters(m.mesh, m.uv, m.knots, m.knots, options);
+  // Vertices that came back round a corner: they left the side of the square that they were on.
+  const auto count_round = [&](const std::vector<double>& uv) {
+    int count = 0;
+    for (Index k = 0; k < m.mesh.vertex_count(); ++k) {
+      if (!on_outline(&m.uv[2 * k])) continue;
+      const double began = along_outline(&m.uv[2 * k]), ended = along_outline(&uv[2 * k]);
+      count += static_cast<int>(began) != static_cast<int>(ended) && ended != std::floor(ended);
+    }
+    return count;
+  };
+  EXPECT_GE(count_round(r.uv), 2);
+  CorrectionOptions on_its_side = options;
+  on_its_side.round_corners = false;
+  EXPECT_EQ(count_round(correct_parameters(m.mesh, m.uv, m.knots, m.knots, on_its_side).uv), 0);
   for (Index k = 0; k < m.mesh.vertex_count(); ++k) {
     const auto side = [](const double* p) { return p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1; };
     if (side(&m.uv[2 * k])) {

@@ -116,14 +116,15 @@ TEST(SizeSearch, WorksForEveryDegreeApartInUAndV) {
 }
 
 TEST(SizeSearch, WorksInAnyDimension) {
-  for (int dimension : {2, 3, 5}) {
+  for (int dimension : {1, 2, 3, 5}) {
     ParameterizedPoints points = synthetic_points("franke", 3000);
     points.dimension = dimension;
     points.values.clear();
     for (Index k = 0; k < points.size(); ++k)
       for (int d = 0; d < dimension; ++d)
         points.values.push_back(d == 0 ? points.u(k)
-                                       : franke(points.u(k), std::fmod(points.v(k) + 0.0 * d, 1.0)) * d);
+                                       // another shape in every component
+                                       : franke(0.5 * points.u(k) + 0.1 * d, points.v(k)) * d);
     const RefineOptions options = to_max_error(2e-2);
     const RefineResult r = refine_to_tolerance(points, options);
     EXPECT_EQ(r.status, Status::reached);
