@@ -24,7 +24,7 @@ struct Chosen {
   std::vector<std::string> notes;
 };
 
-/// What holds a surface to its data between the points and what says whether it is held: made once a call.
+/// The energy that holds a surface to its data between the points, and the places where that is measured. Made once a call.
 struct Keeping {
   std::shared_ptr<const DataEnergy> energy;  ///< none: the smoothing floor alone
   std::shared_ptr<const verify::SwingSites> sites;

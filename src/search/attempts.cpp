@@ -12,14 +12,14 @@ namespace knotfit {
 
 namespace {
 
-/// How much worse than its tolerance a surface counts that holds it at the points and swings between them: by the root of what it
-/// is beyond what is allowed, but never so far that the size looks hopeless.
+/// The error that counts for a surface that holds at the points and swings between them: the tolerance times the root of how
+/// far the swing is beyond what is allowed, and never so much that the size looks hopeless.
 double refused(const SwingReport& swings, double tolerance) {
   return tolerance * std::clamp(std::sqrt(swings.largest / verify::kLargestSwing), 1.001, 1.3);
 }
 
 constexpr int kMostMends = 40, kMendRounds = 4;
-// Nets that swing by so many times what is allowed, and how many of them show that least squares alone will not do.
+// A net that swings by so many times what is allowed is wild; so many wild nets show that least squares alone will not do.
 constexpr double kWild = 10;
 constexpr int kMostWild = 2;
 
@@ -84,7 +84,7 @@ double Attempts::offer(const FitProblem& problem, double error, bool least_squar
         error = refused(report, options_.tolerance.value);
       }
     }
-    // Of two that swing, the error counts times the swing.
+    // Among surfaces that swing, the error counts times the swing.
     const double counted =
         error * (report.swings ? std::max(1.0, report.largest / verify::kLargestSwing) : 1);
     if (good || (!best_holds_ && (report.swings != best_swings_ ? !report.swings : counted < best_error_))) {

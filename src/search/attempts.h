@@ -18,8 +18,8 @@ class Attempts {
 
   /// Fits on these knots and offers the result. \return the error that counts
   double fit(FitProblem& problem, const InteriorKnots& knots);
-  /// Keeps the surface the problem holds if it is the best so far. Every net that would be is asked whether it swings.
-  /// \return the error that counts: beyond the tolerance where a surface that holds it at the points swings between them
+  /// Measures whether the surface that the problem holds swings, where it would be the best so far, and keeps the better one.
+  /// \return the error that counts; a surface that holds at the points and swings between them counts as beyond the tolerance
   double offer(const FitProblem& problem, double error, bool least_squares = true);
   bool holds(double error) const { return run_.holds(error); }
   /// A size is done with: listed in the result.
@@ -35,7 +35,7 @@ class Attempts {
   Status interruption() const { return interruption_; }
   void set_stage(std::string_view stage) { run_.set_stage(stage); }
 
-  /// The caller's limit counts, not the default; one beyond the number of points limits nothing.
+  /// Whether the caller gave a limit. One beyond the number of points limits nothing.
   bool own_limit() const {
     return options_.max_control_points > 0 && options_.max_control_points <= data_.points().size();
   }
@@ -52,8 +52,8 @@ class Attempts {
   const InteriorKnots& best() const { return best_; }
 
  private:
-  /// A least-squares surface that holds at the points and swings at single places, held there by points of the data's own
-  /// range. \return false where that does not end the swings or costs the tolerance; else surface, report and error are anew
+  /// Adds points of the data's own range at the single places where a least-squares surface swings, and fits again.
+  /// \return whether that ends the swings and keeps the tolerance; then surface, report and error are the new ones
   bool mend(const FitProblem& problem, const verify::SwingSites::Strays& strays, Surface& surface,
             SwingReport& report, double& error);
   const FitProblem& data_;

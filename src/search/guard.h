@@ -29,11 +29,11 @@ class Guard {
 
   /// Shares of the points in the problem's stored order.
   PointShares shares(MovingFit& problem) const;
-  /// The fill points that matter to the problem's present knots join for good: the problem has to take
-  /// them in. \return their number
+  /// Adds the fill points that matter to the problem's present knots, for good. The problem has to take them in.
+  /// \return their number
   Index fill(MovingFit& problem);
-  /// Likewise the places, of fill and reserve and in the middle of empty cells, where its present surface is above 1.02
-  /// slack tolerance.
+  /// Adds the places of fill, reserve and the middles of empty cells where the problem's surface is off by more than 1.02
+  /// slack tolerances. \return their number
   Index exchange(MovingFit& problem);
 
  private:
@@ -45,9 +45,9 @@ class Guard {
     verify::ReferenceValue reference;  ///< where known
   };
   void watch(const std::array<double, 2>& place, bool fill);
-  /// The cover's steps miss cells that are narrower: their middles become sites of the reserve.
+  /// Makes the middles of empty cells sites of the reserve: the cover misses cells that are narrower than its steps.
   void watch_empty_cells(MovingFit& problem);
-  /// Sites not joined that matter to the knots, their references computed. Those without one are left out.
+  /// Computes the references of the sites that matter to the knots and have not joined. \return those that have one
   std::vector<Index> sites_that_matter(MovingFit& problem, bool fill_only);
   double slack(const Site& site) const;  ///< infinity: not held to the maximum
   void join(Site& site);

@@ -28,7 +28,7 @@ class Marginal {
       for (Index j = 0; j < map.size_v; ++j) cumulative_[(v ? j : i) + 1] += map.f[i * map.size_v + j];
     std::partial_sum(cumulative_.begin(), cumulative_.end(), cumulative_.begin());
   }
-  /// The parameter in (low, high) that halves the mass between them; their middle where there is none.
+  /// The parameter that halves the mass between low and high; their middle where there is no mass.
   double halving(double low, double high) const {
     const double below = at(low), wanted = (below + at(high)) / 2;
     const double middle = (low + high) / 2;
@@ -130,8 +130,8 @@ class Insertion {
     return Status::reached;
   }
 
-  /// A surface that holds at the points and was refused between them: the places where it is off join the points, and
-  /// the same knots are fitted again.
+  /// Where a surface holds at the points and was refused between them: adds the places where it is off to the points and fits
+  /// the same knots again.
   double hold_between(const InteriorKnots& knots, double error) {
     for (int round = 0; round < 4 && guard_ && !attempts_.holds(error) && !attempts_.interrupted() &&
                         attempts_.holds(problem_.measured(attempts_.tolerance()));
@@ -144,7 +144,7 @@ class Insertion {
     return error;
   }
 
-  /// Nets whose fit is too much work are not optimised: a step of their knots takes many fits' time.
+  /// Whether a fit of these knots is cheap enough to move them: one step takes the time of many fits.
   bool movable(const InteriorKnots& k) const {
     return problem_.operations(static_cast<Index>(k.u.size()) + problem_.degree_u() + 1,
                                static_cast<Index>(k.v.size()) + problem_.degree_v() + 1) <= kMostOperations;
@@ -281,8 +281,8 @@ class Insertion {
     }
   }
 
-  /// Drops knots while the others, moved to where they do best, still hold the tolerance: by least squares, and
-  /// for a maximum by minimax.
+  /// Drops a knot, moves the others to where the error is least (for a maximum by minimax too), and goes on while the
+  /// tolerance holds.
   void prune_moving() {
     attempts_.set_stage("prune, knots moving");
     const bool minimax = row_of(attempts_.tolerance().measure).every_point;

@@ -25,8 +25,8 @@ constexpr Index kPlacedLeast = 400;    // control points that a last search with
 constexpr double kInsertionReach = 3;  // tolerances from which inserted lines may still come to it
 constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the work
 
-/// Knots of the error model instead, with the reason. Where they hold the tolerance at no size, knot lines inserted
-/// where the errors are may: each moves the knots on, and none is placed before the data asks for it.
+/// Searches with knots of the error model, and says why. Where they hold the tolerance at no size, inserts knot lines where the
+/// errors are.
 RefineResult search_placed_instead(FitProblem& data, const RefineOptions& options, const Control& control,
                                    const std::string& reason) {
   RefineOptions placed = options;
@@ -37,10 +37,10 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
   result.notes.push_back(reason + "; the knots come from the error model");
   const bool failed = !result.holds && result.error <= kInsertionReach * options.tolerance.value;
   if (!(failed || result.status == Status::reached) || !can_optimise_insertion(data.points())) return result;
-  if (options.max_fits > 0) return result;  // a budget of the caller's is one of the search
+  if (options.max_fits > 0) return result;  // the caller's budget is for one search
   if (deadline.over()) return result;
   RefineOptions inserting = options;
-  if (result.holds)  // it begins too large and drops knots at last
+  if (result.holds)  // insertion begins too large and drops knots in the end
     inserting.max_control_points =
         std::min<Index>(options.max_control_points > 0 ? options.max_control_points : data.points().size(),
                         result.surface.control_point_count() * 5 / 4);
@@ -54,7 +54,7 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
   return better_of(std::move(result), std::move(inserted));
 }
 
-/// Whether the data alone lets far fewer control points do: seven tenths of the knots in each direction.
+/// Whether seven tenths of the knots in each direction hold the tolerance at the data alone.
 bool guard_costs_much(const FitProblem& data, const RefineOptions& options, const RefineResult& guarded) {
   const auto thinned = [](const std::vector<double>& knots) {
     std::vector<double> fewer;
@@ -115,8 +115,8 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   context.set_fine_model(fine);
   OptimizedSizes solver(problem, context, guard ? &*guard : nullptr, attempts, options);
   NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
-  // The other route as a start: at effort best, and where sizes that grow to the tolerance would cost more. (At balanced effort
-  // it saves a third on the ridge and costs as much on peaks.)
+  // Begin with inserted knot lines at effort best, and where growing to the tolerance would cost more. (At balanced effort this
+  // saves a third on the ridge and costs as much on peaks.)
   std::optional<Spans> first;
   std::optional<RefineResult> inserted;
   const bool from_inserted =
@@ -136,7 +136,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   }
   bool placed_tried = false;  // by the search without the guard
   const bool near = result.error <= kInsertionReach * options.tolerance.value;
-  // Where the data is sparse, its own reference may be wrong, and points that join by it in the way.
+  // Where the data is sparse, its local reference may be wrong, and the points that joined by it are in the way.
   if (guard && options.max_fits == 0 && can_optimise_insertion(data.points()) && !attempts.stopped() &&
       (result.holds ? guard_costs_much(data, options, result) : near)) {
     RefineOptions free = options;
@@ -151,7 +151,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     }
     placed_tried = !result.holds;
   }
-  // The other route, where this one found nothing, or found what it did past sizes that swing.
+  // Try insertion where the search found nothing, or only found a size past others that swing.
   if (!inserted && (result.holds ? attempts.any_refused() : near) && options.max_fits == 0 &&
       can_optimise_insertion(data.points()) && !attempts.stopped()) {
     RefineOptions fewer = options;
@@ -162,7 +162,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     inserted->method = options.method;
     result = better_of(std::move(result), std::move(*inserted));
   }
-  // Placed knots begin without the energy, which sparse data inside dense data makes too stiff.
+  // Try placed knots: they begin without the energy, which is too stiff where sparse data lies inside dense data.
   if (result.holds || placed_tried || options.max_fits > 0 || !can_optimise_insertion(data.points()) ||
       attempts.stopped())
     return result;

@@ -9,13 +9,13 @@
 namespace knotfit {
 namespace {
 
-// A least-squares optimum whose maximum is farther off than this is beyond what minimax gains.
+// Tolerances: a least-squares optimum whose maximum is farther off is beyond what minimax gains.
 constexpr double kMinimaxReach = 3.5;
-// Within this of the tolerance after minimax, relocation in its own weights is worth a try.
+// Tolerances: nearer than this after minimax, relocate knots in the weights of minimax too.
 constexpr double kNear = 1.15;
-// Beyond this of it, other optima of the same size are left to the effort "best".
+// Tolerances: farther than this, only the effort "best" tries other optima of the same size.
 constexpr double kFar = 1.25;
-// Operations of one fit from which on a net is too large to optimise.
+// Operations of one fit: a net that needs more is not optimised.
 constexpr double kMostWork = 1e9;
 
 Spans spans_of(const InteriorKnots& knots) {
@@ -206,7 +206,7 @@ void OptimizedSizes::finish(Entry& entry, Start& start) {
   if (minimax && error > tolerance && error < kMinimaxReach * tolerance) {
     improve();
     for (int round = 0; round < 2 && error > tolerance && error < kNear * tolerance; ++round) {
-      // Relocation in the weighted norm, and once more.
+      // Relocate knots in the weighted norm, then minimax again.
       const NetState before = state;
       problem_.set_weights(minimax_weights(problem_, shares_, 9));
       InteriorKnots knots = state.knots;
@@ -220,7 +220,7 @@ void OptimizedSizes::finish(Entry& entry, Start& start) {
       break;
     }
   }
-  // A surface that holds answers to all places between the data where it could go astray.
+  // A surface that holds is checked at all places between the data where it could be off.
   for (int round = 0; round < 4 && guard_ && error <= tolerance; ++round) {
     problem_.evaluate(state.knots, state.net);
     if (guard_->exchange(problem_) == 0) break;

@@ -33,11 +33,12 @@ class OptimizedSizes final : public SizeSolver {
   };
 
   std::vector<InteriorKnots> starts(const Spans& spans, const Entry* from, bool strong, const Entry& entry);
-  /// Nets too large to optimise: the error model's knots, least squares.
+  /// For nets that are too large to optimise: least squares on the knots of the error model.
   const SizeOutcome& place_only(const Spans& spans, Entry& entry);
-  /// From a least-squares optimum: the tolerance by minimax, honest by exchange. Offers what it finds.
+  /// From a least-squares optimum: lowers the maximum by minimax, adds places where the surface is off between the data, and
+  /// offers what it finds.
   void finish(Entry& entry, Start& start);
-  /// Fill points join where these knots make them matter, and the knots adapt to them.
+  /// Adds the fill points that matter to these knots, and optimises the knots again.
   void fill(Start& start);
   void take_new_points();
   double measured() const;

@@ -52,7 +52,7 @@ KnotWorth estimate_worth(const FitProblem& data, const FineModel& fine, const To
     return p;
   };
   const double most = std::min(data.degree_u(), data.degree_v()) + 1;
-  // Relocation lowers errors that are not resolved yet: what follows falls by an order nearer to the spline's.
+  // Relocation lowers errors that small sizes do not resolve: after it, the order is nearer to the spline's own.
   const double least = thorough ? most / 2 : 0.3;
   auto order = [&](double before, double after) {
     return after > 0 ? std::clamp(std::log2(before / after), least, most) : most;
