@@ -102,7 +102,7 @@ void add_tolerance_rows(std::vector<OptionRow>& rows) {
        .value = "P%",
        .uses = {{kFit, kSize,
                  "The share of the points that must hold the tolerance, such as 99.5%; "
-                 "default 100%: the maximum counts"},
+                 "default 100%: the maximum counts. A measure by name is taken too: max, rms"},
                 {kCurve, kSize, "The share of the points that must hold the tolerance"},
                 {kCompare, kCompared, "The share of the points that must hold a tolerance"}},
        .holds = kept(&FitChoices::measure, parse_measure, [](const MeasureValue& m) { return to_text(m); }),

@@ -83,7 +83,8 @@ struct Rows {
   BandPlaces place;
   std::vector<Index> places;  // of a span's functions
   std::vector<Index> span;
-  std::vector<double> value;  // n x width
+  std::vector<double> value;   // n x width
+  std::vector<double> target;  // n x dimension: P times the root
 
   Rows(const CurvePoints& p, const Axis& a) : points(p), axis(a), place(a) {
     for (Index s = 0; s < a.spans(); ++s)
@@ -95,6 +96,7 @@ struct Rows {
       span.push_back(a.span(t));
       basis_functions(a.knots(), span.back() + a.degree(), t, std::span(basis).first(a.width()));
       for (int i = 0; i < a.width(); ++i) value.push_back(root * basis[i]);
+      for (int e = 0; e < p.dimension; ++e) target.push_back(root * p.value(k)[e]);
     }
   }
   Index at(Index k, int i) const { return places[span[k] * axis.width() + i]; }
@@ -117,10 +119,10 @@ struct Rows {
   std::vector<double> residual(const std::vector<double>& c) const {
     const Index n = axis.functions();
     const int d = points.dimension;
-    std::vector<double> r(points.values.size());
+    std::vector<double> r(target.size());
     for (Index k = 0; k < points.size(); ++k)
       for (int e = 0; e < d; ++e) {
-        double sum = -std::sqrt(points.weight(k)) * points.value(k)[e];
+        double sum = -target[k * d + e];
         for (int i = 0; i < axis.width(); ++i) sum += (*this)(k, i) * c[e * n + at(k, i)];
         r[k * d + e] = sum;
       }
@@ -157,10 +159,8 @@ bool CurveProblem::solve(const std::vector<double>& knots) {
   const Rows rows(points_, axis);
   BandMatrix normal(n, rows.place.bandwidth()), held(n, rows.place.bandwidth());
   rows.add_gram(normal);
-  std::vector<double> data(n * d, 0.0), goals(n * d, 0.0), weighted;
-  for (Index k = 0; k < points_.size(); ++k)
-    for (int e = 0; e < d; ++e) weighted.push_back(std::sqrt(points_.weight(k)) * points_.value(k)[e]);
-  rows.add_transposed(weighted, data);
+  std::vector<double> data(n * d, 0.0), goals(n * d, 0.0);
+  rows.add_transposed(rows.target, data);
   if (energy_) add_held_terms(*energy_, axis, mean_weight_, d, held, goals);
   for (std::size_t i = 0; i < data.size(); ++i) data[i] += goals[i];
   const std::vector<double> gram = axis.gram(std::min(2, degree_));

@@ -18,6 +18,8 @@ class FitProblem {
              const LeastSquaresOptions& options = {});
   FitProblem(const ParameterizedPoints&& points, int degree_u, int degree_v,
              const LeastSquaresOptions& options = {}) = delete;
+  FitProblem(const FitProblem&) = delete;  // the system refers to the axes inside
+  FitProblem& operator=(const FitProblem&) = delete;
 
   /// Least squares on these knots. \return false where no smoothing makes it solvable: rms, max are
   /// then infinite

@@ -70,7 +70,7 @@ class Candidate {
   bool better_than(const Candidate& other) const {
     if (flipped_ != other.flipped_) return flipped_ < other.flipped_;
     if (own_flipped_ != other.own_flipped_) return own_flipped_ < other.own_flipped_;
-    return fit_.merit() < other.fit_.merit();
+    return fit_.trial_error() < other.fit_.trial_error();
   }
   int rounds() const { return newton_ ? newton_->rounds() : 0; }
   ChosenMap result() const { return {uv_, corners_, metric_.omega, rule_, fit_}; }

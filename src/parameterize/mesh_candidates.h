@@ -27,7 +27,7 @@ struct ChosenMap {
 };
 
 /// Every choice for a few rounds of Newton, the better ones for more, the best two to the end; the
-/// least merit of a trial fit wins. Independent of the number of threads.
+/// least error of a trial fit wins. Independent of the number of threads.
 ChosenMap best_map(const DiskMesh& disk, const Choices& choices, const Stage& stage);
 
 }  // namespace knotfit::mesh_map

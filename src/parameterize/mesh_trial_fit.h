@@ -10,10 +10,10 @@ namespace knotfit::mesh_map {
 struct TrialFit {
   double error = 0;     ///< |S(u_k, v_k) - P_k|, at the map's parameters
   double distance = 0;  ///< from P_k to the surface, by foot points from those parameters
-  /// Merit of a map, the less the better: what correction of the parameters starts from is the distance, what
+  /// By which maps are chosen, the less the better: what correction of the parameters starts from is the distance, what
   /// a fit at these parameters has is the error. Weights 3 : 1 of their logarithms: on the hammer
   /// the error falls by a third at the same distance, on the mountain by 30 % for 6 % of distance.
-  double merit() const { return std::pow(distance, 0.75) * std::pow(error, 0.25); }
+  double trial_error() const { return std::pow(distance, 0.75) * std::pow(error, 0.25); }
 };
 
 /// A bicubic fit of 20 x 20 control points on uniform knots to the mesh's own vertices (fewer control

@@ -27,6 +27,7 @@ PlacementContext::PlacementContext(MovingFit& problem, PlacementOptions options,
 
 MovingFit& PlacementContext::moving() {
   if (moving_) return *moving_;
+  if (own_moving_) return *own_moving_;
   LeastSquaresOptions fit;
   fit.smoothing = options_.smoothing;
   fit.refinement_steps = 0;

@@ -113,13 +113,13 @@ ErrorDensity density(const Axis& along, const Axis& across, const double* net, I
 }
 
 /// Rounds at fixed counts from `knots`: refit, equal shares, damped; the best round's knots are kept.
-struct Rounds {
+struct Outcome {
   InteriorKnots best;
   double error = std::numeric_limits<double>::infinity();
 };
-Rounds iterate(FitProblem& problem, InteriorKnots knots, int rounds, const Tolerance& keep_by,
-               const std::function<bool()>& stop) {
-  Rounds result;
+Outcome iterate(FitProblem& problem, InteriorKnots knots, int rounds, const Tolerance& keep_by,
+                const std::function<bool()>& stop) {
+  Outcome result;
   for (int round = 0;; ++round) {
     if (!problem.solve(knots)) break;
     const double error = problem.measured(keep_by);
@@ -185,8 +185,8 @@ FineModel fit_fine_model(FitProblem& problem, const InteriorKnots& uniform, cons
 }
 
 InteriorKnots error_model_from(PlacementContext& context, const InteriorKnots& start, int rounds) {
-  const Rounds result = iterate(context.problem(), start, rounds, {.value = 0, .measure = ErrorMeasure::rms},
-                                [&] { return context.stop_requested(); });
+  const Outcome result = iterate(context.problem(), start, rounds, {.value = 0, .measure = ErrorMeasure::rms},
+                                 [&] { return context.stop_requested(); });
   return std::isfinite(result.error) ? result.best : start;
 }
 
@@ -206,7 +206,7 @@ Placement place_error_model(PlacementContext& context, int interior_u, int inter
   widen_spans(start.v, kLeastSpan);
   const PlacementOptions& o = context.options();
   Placement placement;
-  const Rounds rounds =
+  const Outcome rounds =
       iterate(context.problem(), start, o.rounds, o.keep_by, [&] { return context.stop_requested(); });
   placement.knots = std::isfinite(rounds.error) ? rounds.best : start;
   placement.status = context.stop_requested() ? PlacementStatus::stopped : PlacementStatus::converged;

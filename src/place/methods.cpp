@@ -122,7 +122,7 @@ PlaceFunction find_method(std::string_view name) {
 
 Placement place_knots(std::string_view method, const ParameterizedPoints& points,
                       const PlacementOptions& options, const Control& control) {
-  const PlaceFunction place = find_method(method);
+  const Entry& entry = entry_of(method);
   if (options.interior_u < 0 || options.interior_v < 0)
     throw InvalidInput(fmt::format("{} x {} interior knots: neither may be negative", options.interior_u,
                                    options.interior_v));
@@ -136,12 +136,12 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   fit.energy = options.energy;
   const auto place_in = [&](auto&& problem) {
     PlacementContext context(problem, options, control);
-    Placement placement = place(context, options.interior_u, options.interior_v);
+    Placement placement = entry.place(context, options.interior_u, options.interior_v);
     placement.fits = problem.fits() + context.other_fits();
     placement.notes.insert(placement.notes.end(), context.notes().begin(), context.notes().end());
     return placement;
   };
-  return placement_method(method).traits.moves_knots
+  return entry.method.traits.moves_knots
              ? place_in(MovingFit(points, options.degree_u, options.degree_v, fit))
              : place_in(FitProblem(points, options.degree_u, options.degree_v, fit));
 }

@@ -21,7 +21,7 @@ MeshSizes::MeshSizes(const correction::PreparedMesh& prepared, const SearchOptio
       control_(control),
       run_(run),
       knots_(placement_method(options.method).traits.on_mesh),
-      rounds_of_(prepared, options.degree_u, options.degree_v, run.tolerance(), control, true),
+      mesh_rounds_(prepared, options.degree_u, options.degree_v, run.tolerance(), control, true),
       rounds_(std::max(1, prepared.options().rounds * 2 / 5)) {}
 
 InteriorKnots MeshSizes::uniform(const Spans& s) {
@@ -31,8 +31,8 @@ InteriorKnots MeshSizes::uniform(const Spans& s) {
 // On uniform knots first: the path from size to size is the same for every tolerance.
 const SizeOutcome& MeshSizes::solve(const Spans& spans, const Spans* from) {
   const Surface* start = from && failed_ && failed_->rounds.surface ? &*failed_->rounds.surface : nullptr;
-  State now{spans, rounds_of_.correct(start ? failed_->rounds.uv : prepared_.first(), uniform(spans), start,
-                                      rounds_)};
+  State now{spans, mesh_rounds_.correct(start ? failed_->rounds.uv : prepared_.first(), uniform(spans), start,
+                                        rounds_)};
   SizeOutcome& outcome = outcomes_[spans];
   outcome.tries = 1;
   outcome.holds = settle(now);
@@ -45,11 +45,11 @@ bool MeshSizes::near(const CorrectionRun& r) const {
 }
 
 CorrectionRun MeshSizes::polished(CorrectionRun base) const {
-  return near(base) ? rounds_of_.polished(std::move(base)) : std::move(base);
+  return near(base) ? mesh_rounds_.polished(std::move(base)) : std::move(base);
 }
 
 MeshSizes::Verdict MeshSizes::verify(State& state) {
-  if (!rounds_of_.meets(state.rounds)) return Verdict::misses;
+  if (!mesh_rounds_.meets(state.rounds)) return Verdict::misses;
   CorrectionResult result = prepared_.finish(state.rounds, false, control_);
   const double error = prepared_.error(result, run_.tolerance());
   state.rounds.error = std::min(state.rounds.error, error);
@@ -69,15 +69,15 @@ bool MeshSizes::settle(const State& state) {
     CorrectionRun polish = polished(moved);
     if (polish.penalised_error() < last.rounds.penalised_error()) last.rounds = std::move(polish);
   };
-  const auto may_improve = [&] { return !rounds_of_.meets(last.rounds) && near(state.rounds); };
-  if (knots_ != MeshKnots::uniform && may_improve()) improve(rounds_of_.with_knots_anew(moved, rounds_));
+  const auto may_improve = [&] { return !mesh_rounds_.meets(last.rounds) && near(state.rounds); };
+  if (knots_ != MeshKnots::uniform && may_improve()) improve(mesh_rounds_.with_knots_anew(moved, rounds_));
   if (knots_ != MeshKnots::uniform && knots_ != MeshKnots::anew && may_improve())
-    improve(rounds_of_.with_knots_moved(moved, kKnotSteps));
+    improve(mesh_rounds_.with_knots_moved(moved, kKnotSteps));
   Verdict verdict = verify(last);
   if (verdict == Verdict::folds && !interrupted()) {
     // The folds may have come with the parameters of smaller sizes.
-    State anew{state.spans, polished(rounds_of_.correct(prepared_.first(), uniform(state.spans), nullptr,
-                                                        prepared_.options().rounds))};
+    State anew{state.spans, polished(mesh_rounds_.correct(prepared_.first(), uniform(state.spans), nullptr,
+                                                          prepared_.options().rounds))};
     verdict = verify(anew);
     if (verdict == Verdict::holds) last = std::move(anew);
   }
@@ -86,13 +86,15 @@ bool MeshSizes::settle(const State& state) {
   const int size_u = state.spans.first + options_.degree_u, size_v = state.spans.second + options_.degree_v;
   outcomes_[state.spans].error = last.rounds.error;
   run_.list(size_u, size_v, last.rounds.error, holds);
-  run_.show({best_.rounds.error, size_u, size_v}, fits());
+  run_.show(
+      {best_.rounds.error, best_.spans.first + options_.degree_u, best_.spans.second + options_.degree_v},
+      fits());
   return holds;
 }
 
 void MeshSizes::make_fair() {
-  CorrectionRun fair = rounds_of_.faired(held_);
-  if (!rounds_of_.meets(fair)) return;
+  CorrectionRun fair = mesh_rounds_.faired(held_);
+  if (!mesh_rounds_.meets(fair)) return;
   CorrectionResult result = prepared_.finish(std::move(fair), false, control_);
   if (run_.holds(prepared_.error(result, run_.tolerance())) && !folds_over(result.folds) &&
       result.folds.normal_angle < verified_->folds.normal_angle)

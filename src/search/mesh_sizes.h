@@ -21,8 +21,8 @@ class MeshSizes final : public SizeSolver {
   /// the mesh's. The search is blind to it: on nets that are too coarse for the mesh it would only lead astray.
   void make_fair();
 
-  bool interrupted() const { return run_.interrupted(rounds_of_.fits()); }
-  long fits() const { return rounds_of_.fits(); }
+  bool interrupted() const { return run_.interrupted(mesh_rounds_.fits()); }
+  long fits() const { return mesh_rounds_.fits(); }
   Index size(const Spans& s) const {
     return (s.first + Index{options_.degree_u}) * (s.second + Index{options_.degree_v});
   }
@@ -51,7 +51,7 @@ class MeshSizes final : public SizeSolver {
   const Control& control_;
   SearchRun& run_;
   MeshKnots knots_;
-  MeshRounds rounds_of_;
+  MeshRounds mesh_rounds_;
   int rounds_;
   State best_;
   std::optional<State> failed_;     ///< the last that failed: the next size begins with it

@@ -10,7 +10,7 @@
 namespace knotfit {
 namespace {
 
-constexpr double kSquares = 1e-3;  // share of plain squares in the merit: beat 1e-2 and 1e-4 [METHOD 4.3]
+constexpr double kSquares = 1e-3;  // share of plain squares in Phi: beat 1e-2 and 1e-4 [METHOD 4.3]
 
 constexpr int kBlock = 64;  // points whose powers are taken at once
 
@@ -25,9 +25,9 @@ KNOTFIT_CLONES void half_powers(double* q, int power, double* result) {
 }
 
 /// Phi = sum (q/g)^P / P + eps omega q^2 / 2 with q = |r| / scale, at fixed P and scale.
-class Merit {
+class Phi {
  public:
-  Merit(MovingFit& problem, const PointShares& shares, int power, double scale)
+  Phi(MovingFit& problem, const PointShares& shares, int power, double scale)
       : problem_(problem), shares_(shares), power_(power), scale_(scale) {}
 
   /// At residual + t (other - residual).
@@ -126,12 +126,12 @@ class Stage {
         options_(options),
         power_(power),
         scale_(scale),
-        merit_(problem, shares, power, scale) {}
+        phi_(problem, shares, power, scale) {}
 
   /// Runs from the state; calls keep(state) for every state accepted. \return false where a fit failed
   template <class Keep>
   bool run(NetState& state, const Keep& keep) {
-    weights_ = merit_.weights(state.residual);
+    weights_ = phi_.weights(state.residual);
     if (!inner(state, 2 * options_.inner_rounds, 1e-4)) return false;
     keep(state);
     if (!options_.move_knots || (state.knots.u.empty() && state.knots.v.empty())) return true;
@@ -182,16 +182,16 @@ class Stage {
     if (!problem_.solve(state.knots)) return false;
     state.net = problem_.net();
     state.residual = problem_.residual();
-    value_ = merit_.value(state.residual, state.residual, 0);
+    value_ = phi_.value(state.residual, state.residual, 0);
     double first_t = 1;  // of the line search: a step above the last that won
     for (int round = 0; round < rounds; ++round) {
-      weights_ = merit_.weights(state.residual);
+      weights_ = phi_.weights(state.residual);
       problem_.set_weights(weights_);
       if (!problem_.solve(state.knots)) return false;
       const std::vector<double>& other = problem_.residual();
       double best = value_, best_t = 0;
       for (double t = first_t; t > 0.3 / (power_ - 1); t *= 0.6) {
-        const double m = merit_.value(state.residual, other, t);
+        const double m = phi_.value(state.residual, other, t);
         if (m < best) {
           best = m;
           best_t = t;
@@ -207,7 +207,7 @@ class Stage {
       value_ = best;
       if (before - best < fall * before) break;
     }
-    weights_ = merit_.weights(state.residual);
+    weights_ = phi_.weights(state.residual);
     state.max = largest(state.residual, shares_, problem_.points().dimension);
     return std::isfinite(state.max);
   }
@@ -217,7 +217,7 @@ class Stage {
   const MinimaxOptions& options_;
   int power_;
   double scale_;
-  Merit merit_;
+  Phi phi_;
   std::vector<double> weights_;
   double value_ = 0;
 };
@@ -260,7 +260,7 @@ NetState minimize_maximum(MovingFit& problem, const PointShares& shares, const M
 
 std::vector<double> minimax_weights(MovingFit& problem, const PointShares& shares, double power) {
   const double scale = largest_error(problem, shares);
-  return Merit(problem, shares, static_cast<int>(power), scale > 0 ? scale : 1).weights(problem.residual());
+  return Phi(problem, shares, static_cast<int>(power), scale > 0 ? scale : 1).weights(problem.residual());
 }
 
 }  // namespace knotfit

@@ -14,16 +14,16 @@
 namespace knotfit {
 namespace {
 
-constexpr long kFits[] = {2000, 12000, 80000};  // fast, balanced, best
-constexpr double kWork[] = {1e11, 5e11, 4e12};  // operations a search may take
-constexpr double kLeastSaving = 0.1;            // below it, optimising is not worth its time
+constexpr long kFits[] = {2000, 12000, 80000};        // fast, balanced, best
+constexpr double kOperations[] = {1e11, 5e11, 4e12};  // operations a search may take
+constexpr double kLeastSaving = 0.1;                  // below it, optimising is not worth its time
 constexpr double kLeastThoroughSaving =
-    0.2;                               // what a second, thorough look must see after a first that saw little
-constexpr double kLittleWork = 2e10;   // seconds: then even a small saving is worth it
-constexpr double kMuchWork = 2e10;     // of the last sizes alone: half a minute
-constexpr Index kPlacedLeast = 400;    // control points that a last search with placed knots may go to
-constexpr double kInsertionReach = 3;  // tolerances from which inserted lines may still come to it
-constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the work
+    0.2;  // what a second, thorough look must see after a first that saw little
+constexpr double kFewOperations = 2e10;   // seconds: then even a small saving is worth it
+constexpr double kManyOperations = 2e10;  // of the last sizes alone: half a minute
+constexpr Index kPlacedLeast = 400;       // control points that a last search with placed knots may go to
+constexpr double kInsertionReach = 3;     // tolerances from which inserted lines may still come to it
+constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the operations
 
 /// Searches with knots of the error model, and says why. Where they hold the tolerance at no size, inserts knot lines where the
 /// errors are.
@@ -76,24 +76,25 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   attempts.set_stage("features");
   const FineModel fine = plain.fine_model();
   KnotWorth worth;
-  double work = 0;
+  double operations = 0;
   bool little = false;  // too little is saved
   for (bool thorough : {false, true}) {
     worth = estimate_worth(data, fine, options.tolerance, thorough);
     // No search goes beyond half of the points.
     const double side =
         std::sqrt(std::min(worth.control_points, 0.5 * static_cast<double>(data.points().size())));
-    work = kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
-                              9 * side * side * side * side);
-    little = worth.saving < (thorough ? kLeastThoroughSaving : kLeastSaving) && work > kLittleWork &&
+    operations =
+        kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
+                           9 * side * side * side * side);
+    little = worth.saving < (thorough ? kLeastThoroughSaving : kLeastSaving) && operations > kFewOperations &&
              options.effort != Effort::best;
-    if (!little && work <= kWork[effort]) break;
+    if (!little && operations <= kOperations[effort]) break;
   }
   if (little)
     return search_placed_instead(
         data, options, control,
         fmt::format("optimised knots would save about {:.0f} % of the control points", 100 * worth.saving));
-  if (work > kWork[effort])
+  if (operations > kOperations[effort])
     return search_placed_instead(
         data, options, control,
         fmt::format(
@@ -120,7 +121,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   std::optional<Spans> first;
   std::optional<RefineResult> inserted;
   const bool from_inserted =
-      options.effort == Effort::best || (options.effort == Effort::balanced && work > kMuchWork);
+      options.effort == Effort::best || (options.effort == Effort::balanced && operations > kManyOperations);
   if (from_inserted && can_optimise_insertion(data.points()) && !attempts.stopped()) {
     RefineOptions quick = options;
     if (quick.max_fits == 0) quick.max_fits = kFits[0];

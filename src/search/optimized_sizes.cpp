@@ -16,7 +16,7 @@ constexpr double kNear = 1.15;
 // Tolerances: farther than this, only the effort "best" tries other optima of the same size.
 constexpr double kFar = 1.25;
 // Operations of one fit: a net that needs more is not optimised.
-constexpr double kMostWork = 1e9;
+constexpr double kMostOperations = 1e9;
 
 Spans spans_of(const InteriorKnots& knots) {
   return {static_cast<int>(knots.u.size()) + 1, static_cast<int>(knots.v.size()) + 1};
@@ -113,7 +113,8 @@ const SizeOutcome& OptimizedSizes::solve(const Spans& spans, const Spans* from) 
   const int most_tries = policy_.retry_within > 0 ? 2 : 1;
   if (entry.outcome.holds || entry.outcome.tries >= most_tries) return entry.outcome;
   const bool strong = entry.outcome.tries++ > 0;
-  if (problem_.operations(spans.first + problem_.degree_u(), spans.second + problem_.degree_v()) > kMostWork)
+  if (problem_.operations(spans.first + problem_.degree_u(), spans.second + problem_.degree_v()) >
+      kMostOperations)
     return place_only(spans, entry);
   const Entry* source = from && entries_.contains(*from) ? &entries_.at(*from) : nullptr;
   use_base_weights();

@@ -38,8 +38,6 @@ double BandedSystem::mean_weight() const {
 }
 
 void BandedSystem::arrange(const Axis& u, const Axis& v) {
-  u_ = &u;
-  v_ = &v;
   swapped_ = v.functions() > u.functions();
   outer_ = swapped_ ? &v : &u;
   inner_ = swapped_ ? &u : &v;

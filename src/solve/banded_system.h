@@ -39,9 +39,8 @@ class BandedSystem final : public NormalSystem {
   ResidualSums set_residual(std::vector<double> residual);
 
   // Of the matrix last factored, for what follows from it:
-  const Axis& outer() const {
-    return *outer_;
-  }  ///< the direction with more functions: the band is narrower so
+  /// The direction with more functions: the band is narrower so.
+  const Axis& outer() const { return *outer_; }
   const Axis& inner() const { return *inner_; }
   bool swapped() const { return swapped_; }  ///< outer runs along v
   const BandMatrix& matrix() const { return matrix_; }
@@ -61,8 +60,6 @@ class BandedSystem final : public NormalSystem {
   CellOrder order_;
   std::shared_ptr<const DataEnergy> energy_;
   std::vector<double> net_;  ///< of the last residuals() call, where there is an energy
-  const Axis* u_ = nullptr;
-  const Axis* v_ = nullptr;
   const Axis* outer_ = nullptr;
   const Axis* inner_ = nullptr;
   bool swapped_ = false;
@@ -70,8 +67,8 @@ class BandedSystem final : public NormalSystem {
   Index counted_;
   BandMatrix matrix_;
   double norm_ = 0;
-  std::vector<double>
-      moments_;  ///< a piece: matrix, then right side; a cell's first piece ends with the cell's sums
+  /// A piece: matrix, then right side. A cell's first piece ends with the cell's sums.
+  std::vector<double> moments_;
   Index moments_a_piece_ = 0;
   std::vector<double> residual_;  ///< stored order, n x dimension
   std::vector<double> data_rhs_;  ///< A^T W P, gathered in the pass that makes the moments
