@@ -78,6 +78,7 @@ FitOptions fit_options(const FitChoices& c, const FitInput& input) {
   options.route = *c.refine;
   options.effort = *c.effort;
   options.guard = *c.guard;
+  options.engine = *c.engine;
   options.degree_auto = c.degree->first == 0;
   if (!options.degree_auto) {
     options.degree_u = c.degree->first;

@@ -153,6 +153,7 @@ void add_outcome(Json& j, const FitReport& r) {
   j["fits"] = result.fits;
   j["least_squares"] = result.least_squares;
   j["fill_points"] = result.fill_points;
+  j["sample"] = result.sample;
   j["against_uniform"] = comparison_of(result.against_uniform);
   j["against_error_model"] = comparison_of(result.against_error_model);
 }

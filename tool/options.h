@@ -115,6 +115,7 @@ struct FitChoices {
   std::optional<RefineRoute> refine;
   std::optional<Effort> effort;
   std::optional<bool> guard;
+  std::optional<Engine> engine;
   std::optional<long long> max_control_points;
   std::optional<long> max_fits;
   std::optional<double> time_limit;

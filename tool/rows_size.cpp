@@ -289,6 +289,18 @@ void add_search_rows(std::vector<OptionRow>& rows) {
            "Where knots come so near to each other that a surface could swing unseen, local estimates from "
            "the data join the fit."});
   rows.push_back(
+      {.names = "--engine",
+       .value = one_of(kEngines),
+       .uses =
+           {{kFit, kKnots,
+             "What optimal knots are moved on: points (all of them), sample (some 20 000, and the worst of "
+             "all until "
+             "every point holds), auto (the sample where that is much less work; default). The verdict is "
+             "always on all points"}},
+       .holds = named(&FitChoices::engine, kEngines),
+       .stored = {
+           .form = Form::text, .usual = std::string(name_of(kEngines, usual.engine)), .filled = true}});
+  rows.push_back(
       {.names = "--max-control-points",
        .value = "N",
        .uses = {{kFit, kSize,

@@ -145,8 +145,9 @@ std::string report_to_text(const FitReport& r) {
   std::string text = result.swings.swings ? result.notes.front() + "\n" : "";
   text += input_line(r);
   if (!s.empty()) {
-    text += fmt::format("surface: {} x {} = {} control points, degree {} x {}, knots by {}\n", s.size_u(),
-                        s.size_v(), s.control_point_count(), s.degree_u(), s.degree_v(), result.method);
+    text += fmt::format("surface: {} x {} = {} control points, degree {} x {}, knots by {}{}\n", s.size_u(),
+                        s.size_v(), s.control_point_count(), s.degree_u(), s.degree_v(), result.method,
+                        result.sample > 0 ? fmt::format(" on a sample of {} points", result.sample) : "");
     const ErrorSummary& e = result.error;
     text += fmt::format("error: max {} {}\n", error_text(e.max, diagonal), worst_place(r));
     text +=

@@ -18,6 +18,8 @@ inline constexpr Named<RefineRoute> kRoutes[] = {{RefineRoute::search, "search"}
                                                  {RefineRoute::insert, "insert"}};
 inline constexpr Named<Effort> kEfforts[] = {
     {Effort::fast, "fast"}, {Effort::balanced, "balanced"}, {Effort::best, "best"}};
+inline constexpr Named<Engine> kEngines[] = {
+    {Engine::automatic, "auto"}, {Engine::points, "points"}, {Engine::sample, "sample"}};
 inline constexpr Named<RowSpacing> kSpacings[] = {
     {RowSpacing::chord, "chord"}, {RowSpacing::centripetal, "centripetal"}, {RowSpacing::uniform, "uniform"}};
 inline constexpr Named<DuplicateRule> kDuplicateRules[] = {{DuplicateRule::fail, "fail"},

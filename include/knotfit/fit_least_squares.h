@@ -9,6 +9,8 @@
 #include "knotfit/surface.h"
 namespace knotfit {  // not exported
 
+struct IndexedPoints;  // data/indexed_points.h
+
 /// What holds a surface to its data where hardly any point does: an energy whose weights follow the data's own spacing,
 /// its roughness and the errors that are all the same to the caller, and no knots [METHOD 5.1].
 class DataEnergy;
@@ -19,7 +21,8 @@ namespace [[gnu::visibility("default")]] knotfit {
 
 /// \param scale  > 0, errors of this size are all the same: the tolerance
 /// \throws InvalidInput  points invalid, scale not positive and finite
-std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale);
+std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale,
+                                                   std::shared_ptr<const IndexedPoints> indexed = {});
 
 struct LeastSquaresOptions {
   /// Relative smoothing floor: lambda = smoothing * tr(A^T W A) / tr(J), J the thin-plate energy

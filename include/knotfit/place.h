@@ -15,6 +15,13 @@
 #include "knotfit/tolerance.h"
 namespace [[gnu::visibility("default")]] knotfit {
 
+/// What knots that minimise the error are moved on. The verdict is always on all points.
+enum class Engine {
+  automatic,  ///< a sample where that is much less work
+  points,     ///< all points
+  sample  ///< a sample of them; the worst of all points join it until the tolerance holds at every one [METHOD 6.4]
+};
+
 /// What whoever places knots is told, at one size or in a search.
 struct KnotOptions {
   int degree_u = 3, degree_v = 3;                    ///< 1 to 9
@@ -22,6 +29,7 @@ struct KnotOptions {
   FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
   FeatureMap user_features;                          ///< used in place of `feature` where not empty
   long evaluations = 2000;                           ///< of the error, in an evolutionary search at one size
+  Engine engine = Engine::automatic;                 ///< of methods that move knots
 };
 
 struct PlacementOptions : KnotOptions {
@@ -42,6 +50,7 @@ struct Placement {
   double criterion = 0;              ///< E(U,V) reached (sum of squared shares); 0 where a method has none
   double criterion_start = 0;        ///< E(U,V) of its start
   long fits = 0;                     ///< linear fits made
+  Index sample = 0;                  ///< points of the sample that the knots were moved on; 0: all
   std::vector<std::string> notes{};  ///< what a user should know, a sentence each
 };
 

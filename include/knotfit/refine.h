@@ -94,6 +94,7 @@ struct RefineResult {
   bool holds = false;              ///< the best surface holds the tolerance and does not swing
   bool swings = false;             ///< the best surface does: none was found that does not
   Index fill_points = 0;           ///< places between the data that the surface was held at
+  Index sample = 0;                ///< points of the sample that its knots were moved on; 0: all
   std::vector<std::string> notes;  ///< what a user should know of the search, a sentence each
 };
 

@@ -2,6 +2,7 @@
 // honest numbers between the data.
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,12 @@
 #include "knotfit/curve_points.h"
 #include "knotfit/points.h"
 #include "knotfit/surface.h"
+namespace knotfit {  // not exported
+
+struct IndexedPoints;  // data/indexed_points.h
+
+}  // namespace knotfit
+
 namespace [[gnu::visibility("default")]] knotfit {
 
 /// Errors |S(u_k,v_k) - P_k| of every point by de Boor's algorithm on the control net
@@ -26,6 +33,8 @@ struct BetweenOptions {
   /// Interior knots (u, v) of an error-model net: the second metric where the first is unsure;
   /// empty: none.
   std::vector<double> metric_u, metric_v;
+  /// Of these points, made once a call and handed down; none: made here.
+  std::shared_ptr<const IndexedPoints> indexed;
 };
 
 /// A place where the data is too thin to promise anything.

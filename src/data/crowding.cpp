@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "data/neighbours.h"
 namespace knotfit {
 namespace {
 
@@ -15,9 +14,9 @@ constexpr double kCloseInParameters = 0.25, kApartInSpace = 0.5;  // of the medi
 
 }  // namespace
 
-double crowded_share(const ParameterizedPoints& points) {
-  const DistinctPoints distinct = distinct_points(points);
-  const Neighbours neighbours = plain_neighbours(distinct);
+double crowded_share(const IndexedPoints& points) {
+  const DistinctPoints& distinct = points.distinct;
+  const Neighbours& neighbours = points.neighbours;
   const Index step = std::max<Index>(1, distinct.size() / kSampled), sampled = distinct.size() / step;
   std::vector<double> parameters(sampled), space(sampled);
   parallel_chunks(sampled, [&](Index, Index begin, Index end) {

@@ -91,8 +91,27 @@ double bounding_diagonal(const ParameterizedPoints& points) {
   return points.size() > 0 ? diagonal : 0;
 }
 
+namespace {
+
+/// Whether the first points alone show that no grid holds them all: one direction of a grid of n points has at most sqrt(n)
+/// lines.
+bool surely_no_grid(const ParameterizedPoints& points) {
+  const Index most = static_cast<Index>(std::sqrt(static_cast<double>(points.size()))) + 1;
+  const Index looked = std::min(points.size(), 4 * most);
+  const auto lines = [&](int axis) {
+    std::vector<double> t(static_cast<std::size_t>(looked));
+    for (Index k = 0; k < looked; ++k) t[k] = points.uv[2 * k + axis];
+    std::sort(t.begin(), t.end());
+    return std::unique(t.begin(), t.end()) - t.begin();
+  };
+  return lines(0) > most && lines(1) > most;
+}
+
+}  // namespace
+
 GridLayout find_grid(const ParameterizedPoints& points) {
   const Index n = points.size();
+  if (surely_no_grid(points)) return {};
   GridLayout grid;
   auto lines = [&](int axis) {
     std::vector<double> t(static_cast<std::size_t>(n));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 namespace knotfit {
 
@@ -18,6 +19,11 @@ std::vector<Index> far_strays(std::span<const double> values, int dimension) {
     for (std::size_t k = 0; k < n; ++k) distance[k] = std::hypot(distance[k], values[k * d + c] - *middle);
   }
   const std::size_t most = std::max<std::size_t>(1, n / 20);
+  // Hardly any data has strays: then the distances themselves, parted, say so.
+  column = distance;
+  const auto last = column.begin() + static_cast<std::ptrdiff_t>(most);
+  std::nth_element(column.begin(), last, column.end(), std::greater<>());
+  if (!(*std::max_element(column.begin(), last) >= kFar * *last)) return {};
   std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), Index{0});
   std::partial_sort(

@@ -10,11 +10,12 @@
 #include "solve/data_energy.h"
 namespace knotfit {
 
-std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale) {
+std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale,
+                                                   std::shared_ptr<const IndexedPoints> indexed) {
   validate(points);
   if (!(scale > 0) || !std::isfinite(scale))
     throw InvalidInput(fmt::format("a data energy for errors of {}: it must be positive and finite", scale));
-  return std::make_shared<const DataEnergy>(data_raster(points, scale));
+  return std::make_shared<const DataEnergy>(data_raster(points, scale, std::move(indexed)));
 }
 
 LeastSquaresResult fit_least_squares(const ParameterizedPoints& points, const KnotVector& knots_u,

@@ -34,6 +34,7 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
     chosen.knots = placement.knots;
     chosen.criterion = placement.criterion;
     chosen.fits = placement.fits;
+    chosen.sample = placement.sample;
     chosen.notes = placement.notes;
     if (placement.status == PlacementStatus::stopped)
       chosen.status = control.stop.stop_requested() ? Status::stopped : Status::time_limit;
@@ -54,6 +55,7 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
   chosen.tried = std::move(found.tried);
   chosen.fits = found.fits;
   chosen.fill_points = found.fill_points;
+  chosen.sample = found.sample;
   chosen.notes = std::move(found.notes);
   if (!found.least_squares) chosen.surface = std::move(found.surface);
   chosen.method = found.method;

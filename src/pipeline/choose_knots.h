@@ -21,6 +21,7 @@ struct Chosen {
   std::string method;
   std::optional<Surface> surface;  ///< where the control points are not the least squares' of the knots
   Index fill_points = 0;
+  Index sample = 0;
   std::vector<std::string> notes;
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/deadline.h"
 #include "data/crowding.h"
+#include "data/sample.h"
 #include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/remedy.h"
@@ -17,6 +18,7 @@
 #include "pipeline/request.h"
 #include "pipeline/verdict.h"
 #include "place/shares.h"
+#include "verify/local_reference.h"
 #include "verify/swing_limits.h"
 #include "verify/swings.h"
 namespace knotfit {
@@ -140,17 +142,22 @@ void compare(FitResult& result, FitProblem& problem, const ParameterizedPoints& 
     return c;
   };
   result.against_uniform = measure({uniform_knots(options.interior_u), uniform_knots(options.interior_v)});
-  const Placement model = place_knots("error-model", inside, options);
+  // Where the knots were moved on a sample, those of the error model come from one too.
+  const Placement model = result.sample > 0
+                              ? place_knots("error-model", stratified_sample(inside, result.sample), options)
+                              : place_knots("error-model", inside, options);
   result.fits += model.fits + 2;
   result.against_error_model = measure(model.knots);
 }
 
 /// The honest numbers, in the frame, where heights of 1e8 cost the reference no digits.
-BetweenReport between_points(const Surface& inside_surface, const ParameterizedPoints& inside, double unit,
+BetweenReport between_points(const Surface& inside_surface, const ParameterizedPoints& inside,
+                             std::shared_ptr<const IndexedPoints> indexed, double unit,
                              const InteriorKnots& metric, double scale, const Control& control) {
   BetweenOptions options;
   options.metric_u = metric.u;
   options.metric_v = metric.v;
+  options.indexed = std::move(indexed);
   BetweenReport report = measure_between(inside_surface, inside, unit / scale, options, control);
   for (std::optional<double>* x : {&report.between, &report.bound})
     if (*x) **x *= scale;
@@ -176,16 +183,17 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   result.diagonal = request.diagonal;
   result.asked = request.asked;
   result.tolerance = request.asked.value;
-  note_duplicates(points, result.notes);
-  const double crowded = points.dimension == 3 && !points.height_field ? crowded_share(points) : 0;
 
   const ParameterizedPoints inside = frame.inside(points);
+  const auto indexed = std::make_shared<const IndexedPoints>(inside);
+  note_duplicates(*indexed, result.notes);
+  const double crowded = points.dimension == 3 && !points.height_field ? crowded_share(*indexed) : 0;
   Keeping keeping;
-  keeping.sites = std::make_shared<const verify::SwingSites>(inside, verify::kSearchPlaces);
+  keeping.sites = std::make_shared<const verify::SwingSites>(inside, verify::kSearchPlaces, 1, indexed);
   if (request.searched) {
-    const double noise = estimate_noise(inside);
+    const double noise = verify::find_noise(indexed->distinct, indexed->neighbours, 1);
     if (noise > 0.02 * tolerance.value) result.noise = noise * frame.scale();
-    keeping.energy = make_data_energy(inside, energy_scale(tolerance));
+    keeping.energy = make_data_energy(inside, energy_scale(tolerance), indexed);
   }
   auto fitted = std::make_unique<Fitted>(inside, options, tolerance, result.noise / frame.scale(), keeping,
                                          deadline.left(control));
@@ -210,6 +218,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   result.criterion = chosen.criterion;
   result.tried = std::move(chosen.tried);
   result.fill_points = chosen.fill_points;
+  result.sample = chosen.sample;
   result.notes.insert(result.notes.end(), chosen.notes.begin(), chosen.notes.end());
   if (!fitted->solved) {
     result.status = Status::failed;
@@ -243,7 +252,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
     const double unit =
         options.tolerance ? result.tolerance : std::max(result.error.max, 16 * frame.rounding());
     if (unit > 0)
-      result.between = between_points(inside_surface, inside, unit, chosen.metric, frame.scale(),
+      result.between = between_points(inside_surface, inside, indexed, unit, chosen.metric, frame.scale(),
                                       last_look(control, deadline));
   }
   if (crowded > kCrowded)

@@ -161,13 +161,8 @@ Request make_request(const std::optional<ToleranceRequest>& tolerance, bool size
   return request;
 }
 
-void note_duplicates(const ParameterizedPoints& points, std::vector<std::string>& notes) {
-  std::vector<Index> order(points.size());
-  for (Index k = 0; k < points.size(); ++k) order[k] = k;
-  auto key = [&](Index k) { return std::pair{points.u(k), points.v(k)}; };
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-  Index shared = 0;
-  for (std::size_t i = 1; i < order.size(); ++i) shared += key(order[i]) == key(order[i - 1]);
+void note_duplicates(const IndexedPoints& points, std::vector<std::string>& notes) {
+  const Index shared = static_cast<Index>(points.distinct.of.size()) - points.distinct.size();
   if (shared > 0)
     notes.push_back(
         fmt::format("{} points have the same parameters as another: the surface goes between them", shared));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "data/indexed_points.h"
 #include "fit/frame.h"
 #include "knotfit/fit_surface.h"
 namespace knotfit {
@@ -39,6 +40,6 @@ inline bool has_size_or_knots(const FitOptions& o) {
 }
 
 /// A note where points share parameters: least squares goes between them.
-void note_duplicates(const ParameterizedPoints& points, std::vector<std::string>& notes);
+void note_duplicates(const IndexedPoints& points, std::vector<std::string>& notes);
 
 }  // namespace knotfit

@@ -3,8 +3,10 @@
 
 #include <array>
 
+#include "data/sample.h"
 #include "knotfit/exceptions.h"
 #include "place/context.h"
+#include "place/sample_size.h"
 #ifdef KNOTFIT_WITH_NLOPT
 #include "place/evolutionary.h"
 #endif
@@ -141,9 +143,16 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
     placement.notes.insert(placement.notes.end(), context.notes().begin(), context.notes().end());
     return placement;
   };
-  return entry.method.traits.moves_knots
-             ? place_in(MovingFit(points, options.degree_u, options.degree_v, fit))
-             : place_in(FitProblem(points, options.degree_u, options.degree_v, fit));
+  if (!entry.method.traits.moves_knots)
+    return place_in(FitProblem(points, options.degree_u, options.degree_v, fit));
+  const double control_points = static_cast<double>(options.interior_u + options.degree_u + 1) *
+                                static_cast<double>(options.interior_v + options.degree_v + 1);
+  const Index size = sample_size(points.size(), control_points, options.engine);
+  if (size == 0) return place_in(MovingFit(points, options.degree_u, options.degree_v, fit));
+  const ParameterizedPoints sample = stratified_sample(points, size);
+  Placement placement = place_in(MovingFit(sample, options.degree_u, options.degree_v, fit));
+  placement.sample = sample.size();
+  return placement;
 }
 
 }  // namespace knotfit

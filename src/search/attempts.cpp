@@ -62,18 +62,25 @@ double Attempts::fit(FitProblem& problem, const InteriorKnots& knots) {
 
 double Attempts::offer(const FitProblem& problem, double error, bool least_squares) {
   const Index size = problem.control_points();
+  const auto smaller = [&] {
+    return !best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_);
+  };
+  const FitProblem* counts = &problem;
+  if (whole_ && (holds(error) ? smaller() : !best_holds_)) {
+    counts = &counted(problem);
+    error = std::max(error, counts->measured(options_.tolerance));
+  }
   const double measured = error;
   if (measured < nearest_error_) {
     nearest_error_ = measured;
     nearest_ = problem.knots();
   }
   bool good = holds(error);
-  const bool smaller = !best_holds_ || size < best_size_ || (size == best_size_ && error < best_error_);
-  if (good ? smaller : !best_holds_ && (best_swings_ || error < best_error_) && std::isfinite(error)) {
+  if (good ? smaller() : !best_holds_ && (best_swings_ || error < best_error_) && std::isfinite(error)) {
     Surface surface = problem.surface();
     verify::SwingSites::Strays strays;
     SwingReport report =
-        options_.sites->measure(surface, problem.errors(), options_.tolerance.value, &strays);
+        options_.sites->measure(surface, counts->errors(), options_.tolerance.value, &strays);
     if (report.largest > kWild * verify::kLargestSwing) ++wild_;
     if (good && report.swings) {
       held_but_swings_ = true;
@@ -123,16 +130,19 @@ bool Attempts::mend(const FitProblem& problem, const verify::SwingSites::Strays&
     points.values.insert(points.values.end(), strays.values.begin(), strays.values.end());
     if (!points.weights.empty()) points.weights.resize(points.uv.size() / 2, weight);
     MovingFit held(points, problem.degree_u(), problem.degree_v(), search_fits(options_));
-    held.count_first(data_.points().size());
+    held.count_first(problem.counted());
     ++mend_fits_;
-    if (!held.solve(problem.knots()) || !holds(held.measured(options_.tolerance))) return false;
+    if (!held.solve(problem.knots())) return false;
+    const FitProblem& counts = counted(held);
+    const double measured = std::max(held.measured(options_.tolerance), counts.measured(options_.tolerance));
+    if (!holds(measured)) return false;
     strays = {};
     const SwingReport again =
-        options_.sites->measure(held.surface(), held.errors(), options_.tolerance.value, &strays);
+        options_.sites->measure(held.surface(), counts.errors(), options_.tolerance.value, &strays);
     if (again.swings) continue;
     surface = held.surface();
     report = again;
-    error = held.measured(options_.tolerance);
+    error = measured;
     return true;
   }
   return false;

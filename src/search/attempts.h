@@ -1,9 +1,11 @@
 // The best surface so far of a search, and the verdict on every one that would be it.
 #pragma once
+#include <algorithm>
 #include <limits>
 
 #include "fit/fit_problem.h"
 #include "search/search_run.h"
+#include "search/whole_data.h"
 #include "verify/swings.h"
 namespace knotfit {
 
@@ -12,6 +14,8 @@ class Attempts {
   /// \param data  the points themselves: their number and grid lines limit the sizes
   Attempts(const FitProblem& data, const RefineOptions& options, const Control& control, long max_fits);
 
+  /// Where problems are over a sample: surfaces are measured over all points before they are kept.
+  void measure_over(WholeData* whole) { whole_ = whole; }
   /// Another problem whose fits count.
   void count(const FitProblem& problem) { problems_.push_back(&problem); }
   long fits() const;
@@ -39,6 +43,8 @@ class Attempts {
   bool own_limit() const {
     return options_.max_control_points > 0 && options_.max_control_points <= data_.points().size();
   }
+  /// No size goes beyond it, whatever the caller's limit.
+  void limit_control_points(Index most) { max_control_points_ = std::min(max_control_points_, most); }
   const Tolerance& tolerance() const { return options_.tolerance; }
   double span_ratio() const { return options_.span_ratio; }  ///< 0: not given
   /// Within the limit on control points, and what the data's own lines can tell apart.
@@ -58,7 +64,13 @@ class Attempts {
             SwingReport& report, double& error);
   const FitProblem& data_;
   const RefineOptions& options_;
+  /// The problem whose errors count for the surface that this one holds.
+  const FitProblem& counted(const FitProblem& problem) const {
+    return whole_ ? whole_->measure(problem) : problem;
+  }
+
   SearchRun run_;
+  WholeData* whole_ = nullptr;
   Index max_control_points_;
   std::vector<const FitProblem*> problems_;
   Status interruption_ = Status::not_run;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "knotfit/evaluate.h"
 #include "search/cover.h"
@@ -27,22 +26,17 @@ double infinity() {
 
 }  // namespace
 
-Guard::Guard(const ParameterizedPoints& points, double tolerance, double loose, const InteriorKnots& metric,
+Guard::Guard(JoinedPoints& joined, double tolerance, double loose, const InteriorKnots& metric,
              std::function<bool()> stop)
     : tolerance_(tolerance),
       loose_(loose),
       stop_(std::move(stop)),
-      field_(points, tolerance, metric.u, metric.v, 1),
-      points_(points),
-      data_count_(points.size()),
-      base_(points.weights.empty() ? std::vector<double>(points.size(), 1.0) : points.weights),
-      inverse_slack_(points.size(), 1.0) {
-  points_.source.clear();
-  mean_weight_ = std::accumulate(base_.begin(), base_.end(), 0.0) / static_cast<double>(data_count_);
+      field_(joined.points(), tolerance, metric.u, metric.v, 1),
+      joined_(joined) {
   for (bool fill : {true, false})
     for (const auto& place : fill ? cover_gaps(field_.neighbours(), kRadius, kBorder)
                                   : cover_gaps(field_.neighbours(), kReserveRadius, kReserveBorder))
-      if (points.map.covers(place[0], place[1])) watch(place, fill);
+      if (joined.points().map.covers(place[0], place[1])) watch(place, fill);
 }
 
 void Guard::watch(const std::array<double, 2>& place, bool fill) {
@@ -56,9 +50,10 @@ double Guard::slack(const Site& site) const {
 }
 
 std::vector<Index> Guard::sites_that_matter(MovingFit& problem, bool fill_only) {
+  const ParameterizedPoints& points = joined_.points();
   const Axis &u = problem.axis_u(), &v = problem.axis_v();
   std::vector<Index> count(u.spans() * v.spans(), 0);
-  for (Index k = 0; k < points_.size(); ++k) ++count[u.span(points_.u(k)) * v.spans() + v.span(points_.v(k))];
+  for (Index k = 0; k < points.size(); ++k) ++count[u.span(points.u(k)) * v.spans() + v.span(points.v(k))];
   std::vector<Index> here, unknown;
   for (Index i = 0; i < static_cast<Index>(sites_.size()); ++i) {
     const Site& site = sites_[i];
@@ -84,23 +79,11 @@ std::vector<Index> Guard::sites_that_matter(MovingFit& problem, bool fill_only) 
 }
 
 void Guard::join(Site& site) {
-  const double e = site.reference.error_bar / tolerance_, g = slack(site);
-  points_.uv.insert(points_.uv.end(), site.place.begin(), site.place.end());
-  points_.values.insert(points_.values.end(), site.reference.value.begin(), site.reference.value.end());
-  base_.push_back(mean_weight_ * kWeight / (1 + 4 * e * e));
-  inverse_slack_.push_back(1 / g);
-  if (!points_.weights.empty()) points_.weights.push_back(base_.back());
+  const double e = site.reference.error_bar / tolerance_;
+  joined_.join(site.place[0], site.place[1], site.reference.value.data(), kWeight / (1 + 4 * e * e),
+               slack(site));
   site.state = Site::joined;
-}
-
-PointShares Guard::shares(MovingFit& problem) const {
-  const CellOrder& order = problem.order();
-  PointShares shares{std::vector<double>(order.size()), std::vector<double>(order.size())};
-  for (Index i = 0; i < order.size(); ++i) {
-    shares.base[i] = base_[order.input(i)];
-    shares.inverse_slack[i] = inverse_slack_[order.input(i)];
-  }
-  return shares;
+  ++fill_count_;
 }
 
 Index Guard::fill(MovingFit& problem) {
@@ -110,16 +93,17 @@ Index Guard::fill(MovingFit& problem) {
 }
 
 void Guard::watch_empty_cells(MovingFit& problem) {
+  const ParameterizedPoints& points = joined_.points();
   const Axis &u = problem.axis_u(), &v = problem.axis_v();
   std::vector<char> held(u.spans() * v.spans(), 0);
   auto cell = [&](double x, double y) { return u.span(x) * v.spans() + v.span(y); };
-  for (Index k = 0; k < points_.size(); ++k) held[cell(points_.u(k), points_.v(k))] = 1;
+  for (Index k = 0; k < points.size(); ++k) held[cell(points.u(k), points.v(k))] = 1;
   for (const Site& site : sites_) held[cell(site.place[0], site.place[1])] = 1;
   for (Index a = 0; a < u.spans(); ++a)
     for (Index b = 0; b < v.spans(); ++b) {
       if (held[a * v.spans() + b] || !(u.length(a) > 0) || !(v.length(b) > 0)) continue;
       const std::array<double, 2> place{u.low(a) + u.length(a) / 2, v.low(b) + v.length(b) / 2};
-      if (points_.map.covers(place[0], place[1])) watch(place, false);
+      if (points.map.covers(place[0], place[1])) watch(place, false);
     }
 }
 
@@ -129,7 +113,7 @@ Index Guard::exchange(MovingFit& problem) {
   std::vector<double> uv;
   for (Index i : sites) uv.insert(uv.end(), sites_[i].place.begin(), sites_[i].place.end());
   const std::vector<double> values = evaluate(problem.surface(), uv);
-  const int d = points_.dimension;
+  const int d = joined_.points().dimension;
   Index count = 0;
   for (std::size_t k = 0; k < sites.size(); ++k) {
     Site& site = sites_[sites[k]];

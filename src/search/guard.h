@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "knotfit/interior_knots.h"
-#include "knotfit/points.h"
-#include "search/minimax.h"
+#include "search/joined_points.h"
 #include "verify/reference_field.h"
 namespace knotfit {
 
@@ -16,19 +15,15 @@ namespace knotfit {
 /// the synthetic sets, none had a gap below 0.44 of the cell or more than 26 points in it.)
 class Guard {
  public:
+  /// \param joined  the data alone so far; outlives the guard, which lets places join it
   /// \param metric  knots of the error model's fine stage
   /// \param stop    asked between batches; may be empty
   /// \param loose  places join where the surface is beyond this many slack tolerances: 1 for a maximum
-  Guard(const ParameterizedPoints& points, double tolerance, double loose, const InteriorKnots& metric,
+  Guard(JoinedPoints& joined, double tolerance, double loose, const InteriorKnots& metric,
         std::function<bool()> stop);
 
-  /// The data, then the points that joined it. Only the first data_count() are data.
-  const ParameterizedPoints& points() const { return points_; }
-  Index data_count() const { return data_count_; }
-  Index fill_count() const { return points_.size() - data_count_; }
-
-  /// Shares of the points in the problem's stored order.
-  PointShares shares(MovingFit& problem) const;
+  const JoinedPoints& joined() const { return joined_; }
+  Index fill_count() const { return fill_count_; }  ///< places that joined
   /// Adds the fill points that matter to the problem's present knots, for good. The problem has to take them in.
   /// \return their number
   Index fill(MovingFit& problem);
@@ -55,11 +50,9 @@ class Guard {
   double tolerance_, loose_;
   std::function<bool()> stop_;
   verify::ReferenceField field_;
-  ParameterizedPoints points_;
-  Index data_count_;
-  double mean_weight_ = 1;
+  JoinedPoints& joined_;
   std::vector<Site> sites_;
-  std::vector<double> base_, inverse_slack_;  ///< of points_
+  Index fill_count_ = 0;
 };
 
 }  // namespace knotfit

@@ -138,7 +138,7 @@ class Insertion {
          ++round) {
       if (guard_->exchange(*moving_) == 0) break;
       moving_->take_new_points();
-      moving_->set_weights(guard_->shares(*moving_).base);
+      moving_->set_weights(guard_->joined().shares(*moving_).base);
       error = attempts_.fit(problem_, knots);
     }
     return error;
@@ -299,7 +299,7 @@ class Insertion {
         minimize_over_knots(*moving_, fewer, levenberg(40));
         double error = problem_.measured(attempts_.tolerance());
         bool squares = true;
-        const PointShares shares = guard_ ? guard_->shares(*moving_) : PointShares{};
+        const PointShares shares = guard_ ? guard_->joined().shares(*moving_) : PointShares{};
         if (minimax && !attempts_.holds(error) && error < kMinimaxReach * attempts_.tolerance().value) {
           MinimaxOptions options;
           options.enough = attempts_.tolerance().value;
@@ -358,9 +358,10 @@ RefineResult insert_isolines(FitProblem& data, const RefineOptions& options, con
   if (!options.guard) return Insertion(data, plain, &plain, nullptr, options, control).run();
   const InteriorKnots metric =
       PlacementContext(plain, placement_options(options), control).fine_model().knots;
-  Guard guard(data.points(), options.tolerance.value, row_of(options.tolerance.measure).guard_looseness,
-              metric, [&] { return deadline.over(); });
-  MovingFit guarded(guard.points(), options.degree_u, options.degree_v, fit);
+  JoinedPoints joined(data.points());
+  Guard guard(joined, options.tolerance.value, row_of(options.tolerance.measure).guard_looseness, metric,
+              [&] { return deadline.over(); });
+  MovingFit guarded(joined.points(), options.degree_u, options.degree_v, fit);
   guarded.count_first(data.points().size());
   RefineResult result = Insertion(data, guarded, &guarded, &guard, options, deadline.left()).run();
   result.fits += plain.fits();

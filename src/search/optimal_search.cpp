@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "base/deadline.h"
+#include "data/sample.h"
 #include "fit/error_measure.h"
+#include "place/sample_size.h"
 #include "search/better_of.h"
 #include "search/optimized_sizes.h"
 #include "search/routes.h"
@@ -23,7 +25,30 @@ constexpr double kFewOperations = 2e10;   // seconds: then even a small saving i
 constexpr double kManyOperations = 2e10;  // of the last sizes alone: half a minute
 constexpr Index kPlacedLeast = 400;       // control points that a last search with placed knots may go to
 constexpr double kInsertionReach = 3;     // tolerances from which inserted lines may still come to it
+constexpr Index kLeastSampled = 8;        // points of a sample a control point
 constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the operations
+
+/// The points that knots are moved on: the data, or a sample of it.
+class Searched {
+ public:
+  Searched(FitProblem& data, const RefineOptions& options, double control_points) : data_(data) {
+    const Index size = sample_size(data.points().size(), control_points, options.engine);
+    if (size == 0) return;
+    sample_ = stratified_sample(data.points(), size);
+    problem_.emplace(*sample_, options.degree_u, options.degree_v, search_fits(options));
+  }
+  Searched(const Searched&) = delete;  // the problem refers to the sample inside
+  Searched& operator=(const Searched&) = delete;
+
+  bool sampled() const { return sample_.has_value(); }
+  const ParameterizedPoints& points() const { return sample_ ? *sample_ : data_.points(); }
+  FitProblem& problem() { return problem_ ? *problem_ : data_; }
+
+ private:
+  FitProblem& data_;
+  std::optional<ParameterizedPoints> sample_;
+  std::optional<FitProblem> problem_;
+};
 
 /// Searches with knots of the error model, and says why. Where they hold the tolerance at no size, inserts knot lines where the
 /// errors are.
@@ -54,6 +79,18 @@ RefineResult search_placed_instead(FitProblem& data, const RefineOptions& option
   return better_of(std::move(result), std::move(inserted));
 }
 
+/// Where no size on a sample held the tolerance: the search on all points.
+RefineResult search_all_points(FitProblem& data, const RefineOptions& options, RefineResult sampled,
+                               const Attempts& attempts) {
+  RefineOptions all = options;
+  all.engine = Engine::points;
+  RefineResult result = search_optimal(data, all, after(sampled, attempts.time_left()));
+  result.notes.push_back(fmt::format(
+      "no size held the tolerance on a sample of {} points; all of them were searched then", sampled.sample));
+  if (!result.holds) sampled.status = result.status;  // what the sample could not is no matter then
+  return better_of(std::move(sampled), std::move(result));
+}
+
 /// Whether seven tenths of the knots in each direction hold the tolerance at the data alone.
 bool guard_costs_much(const FitProblem& data, const RefineOptions& options, const RefineResult& guarded) {
   const auto thinned = [](const std::vector<double>& knots) {
@@ -71,21 +108,24 @@ bool guard_costs_much(const FitProblem& data, const RefineOptions& options, cons
 
 RefineResult search_optimal(FitProblem& data, const RefineOptions& options, const Control& control) {
   const int effort = static_cast<int>(options.effort);
+  const LeastSquaresOptions fit = search_fits(options);
   Attempts attempts(data, options, control, kFits[effort]);
-  PlacementContext plain(data, placement_options(options), control);
   attempts.set_stage("features");
+  Searched probe(data, options, 0);
+  PlacementContext plain(probe.problem(), placement_options(options), control);
   const FineModel fine = plain.fine_model();
   KnotWorth worth;
   double operations = 0;
   bool little = false;  // too little is saved
   for (bool thorough : {false, true}) {
-    worth = estimate_worth(data, fine, options.tolerance, thorough);
+    worth = estimate_worth(probe.problem(), fine, options.tolerance, thorough);
     // No search goes beyond half of the points.
-    const double side =
-        std::sqrt(std::min(worth.control_points, 0.5 * static_cast<double>(data.points().size())));
-    operations =
-        kFitsToOptimise * (static_cast<double>(data.points().size()) * data.points().dimension * 190 +
-                           9 * side * side * side * side);
+    const double points = static_cast<double>(data.points().size());
+    const double side = std::sqrt(std::min(worth.control_points, 0.5 * points));
+    const Index sample = sample_size(data.points().size(), side * side, options.engine);
+    operations = kFitsToOptimise *
+                 ((sample > 0 ? static_cast<double>(sample) : points) * data.points().dimension * 190 +
+                  9 * side * side * side * side);
     little = worth.saving < (thorough ? kLeastThoroughSaving : kLeastSaving) && operations > kFewOperations &&
              options.effort != Effort::best;
     if (!little && operations <= kOperations[effort]) break;
@@ -102,20 +142,29 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
             "save about {:.0f} % against uniform ones)",
             worth.control_points, 100 * worth.saving));
 
+  const Searched searched(data, options, worth.control_points);
+  const ParameterizedPoints& points = searched.points();
+  std::optional<WholeData> whole;
+  if (searched.sampled()) {
+    attempts.measure_over(&whole.emplace(data, options.tolerance));
+    attempts.limit_control_points(points.size() / kLeastSampled);
+  }
+  std::optional<JoinedPoints> joined;
+  if (options.guard || whole) joined.emplace(points);
   std::optional<Guard> guard;
   if (options.guard && !attempts.stopped()) {
     attempts.set_stage("reference");
-    guard.emplace(data.points(), options.tolerance.value, row_of(options.tolerance.measure).guard_looseness,
+    guard.emplace(*joined, options.tolerance.value, row_of(options.tolerance.measure).guard_looseness,
                   fine.knots, [&] { return attempts.stopped(); });
   }
-  const LeastSquaresOptions fit = search_fits(options);
-  MovingFit problem(guard ? guard->points() : data.points(), options.degree_u, options.degree_v, fit);
-  problem.count_first(data.points().size());
+  MovingFit problem(joined ? joined->points() : points, options.degree_u, options.degree_v, fit);
+  problem.count_first(points.size());
   attempts.count(problem);
   PlacementContext context(problem, placement_options(options), control);
   context.set_fine_model(fine);
-  OptimizedSizes solver(problem, context, guard ? &*guard : nullptr, attempts, options);
-  NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
+  OptimizedSizes solver(problem, context, joined ? &*joined : nullptr, guard ? &*guard : nullptr,
+                        whole ? &*whole : nullptr, attempts, options);
+  NoisePlateau plateau(options.noise, points.size(), data.points().dimension);
   // Begin with inserted knot lines at effort best, and where growing to the tolerance would cost more. (At balanced effort this
   // saves a third on the ridge and costs as much on peaks.)
   std::optional<Spans> first;
@@ -131,14 +180,15 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   const Status unmet = search_sizes(data, fine, solver, attempts, plateau, first);
   RefineResult result = attempts.finish(unmet);
   result.metric = fine.knots;
-  if (guard) {
-    result.fill_points = guard->fill_count();
-    result.least_squares = false;  // not of the data alone
-  }
+  if (joined) result.least_squares = false;  // not of the data alone
+  if (whole) result.sample = points.size();
+  if (guard) result.fill_points = guard->fill_count();
+  if (whole && !result.holds && result.status != Status::tolerance_below_noise && !attempts.stopped())
+    return search_all_points(data, options, std::move(result), attempts);
   bool placed_tried = false;  // by the search without the guard
   const bool near = result.error <= kInsertionReach * options.tolerance.value;
   // Where the data is sparse, its local reference may be wrong, and the points that joined by it are in the way.
-  if (guard && options.max_fits == 0 && can_optimise_insertion(data.points()) && !attempts.stopped() &&
+  if (guard && options.max_fits == 0 && can_optimise_insertion(points) && !attempts.stopped() &&
       (result.holds ? guard_costs_much(data, options, result) : near)) {
     RefineOptions free = options;
     free.guard = false;
@@ -172,7 +222,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   const Index most = std::max(kPlacedLeast, 2 * result.surface.control_point_count());
   placed.max_control_points =
       options.max_control_points > 0 ? std::min(options.max_control_points, most) : most;
-  const Status searched = result.status;
+  const Status unplaced = result.status;
   RefineResult other = search_placed(data, placed, after(result, attempts.time_left()));
   other.method = placed.method;
   if (other.holds)
@@ -181,7 +231,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   const bool holds = other.holds;
   result = better_of(std::move(result), std::move(other));
   if (!holds && result.status != Status::stopped && result.status != Status::time_limit)
-    result.status = searched;
+    result.status = unplaced;
   return result;
 }
 

@@ -15,6 +15,8 @@ constexpr double kMinimaxReach = 3.5;
 constexpr double kNear = 1.15;
 // Tolerances: farther than this, only the effort "best" tries other optima of the same size.
 constexpr double kFar = 1.25;
+// Rounds in which places or points join a surface that holds without them.
+constexpr int kGuardExchanges = 4, kExchanges = 12;
 // Operations of one fit: a net that needs more is not optimised.
 constexpr double kMostOperations = 1e9;
 
@@ -38,11 +40,14 @@ InteriorKnots random_knots(int count_u, int count_v, std::mt19937_64& engine) {
 
 }  // namespace
 
-OptimizedSizes::OptimizedSizes(MovingFit& problem, PlacementContext& context, Guard* guard,
-                               Attempts& attempts, const RefineOptions& options)
+OptimizedSizes::OptimizedSizes(MovingFit& problem, PlacementContext& context, JoinedPoints* joined,
+                               Guard* guard, WholeData* whole, Attempts& attempts,
+                               const RefineOptions& options)
     : problem_(problem),
       context_(context),
+      joined_(joined),
       guard_(guard),
+      whole_(whole),
       attempts_(attempts),
       options_(options),
       to_maximum_(row_of(options.tolerance.measure).every_point) {
@@ -69,8 +74,8 @@ Spans OptimizedSizes::seed(InteriorKnots knots) {
 }
 
 void OptimizedSizes::use_base_weights() {
-  if (guard_) {
-    shares_ = guard_->shares(problem_);
+  if (joined_) {
+    shares_ = joined_->shares(problem_);
   } else if (!problem_.points().weights.empty()) {
     shares_.base.resize(problem_.points().size());
     for (Index i = 0; i < problem_.points().size(); ++i)
@@ -80,7 +85,8 @@ void OptimizedSizes::use_base_weights() {
 }
 
 double OptimizedSizes::measured() const {
-  return to_maximum_ ? largest_error(problem_, shares_) : problem_.measured(options_.tolerance);
+  return to_maximum_ ? largest_error(problem_, shares_)
+                     : whole_over_sample_ * problem_.measured(options_.tolerance);
 }
 
 std::vector<InteriorKnots> OptimizedSizes::starts(const Spans& spans, const Entry* from, bool strong,
@@ -174,6 +180,16 @@ void OptimizedSizes::take_new_points() {
   use_base_weights();
 }
 
+bool OptimizedSizes::exchange() {
+  if (guard_ && guard_->exchange(problem_) > 0) return true;
+  if (!whole_) return false;
+  const double sampled = problem_.measured(options_.tolerance);
+  const double all = whole_->measure(problem_).measured(options_.tolerance);
+  if (to_maximum_) return whole_->join_worst(*joined_) > 0;
+  if (sampled > 0) whole_over_sample_ = all / sampled;
+  return false;
+}
+
 void OptimizedSizes::fill(Start& start) {
   const double near = (to_maximum_ ? kMinimaxReach : 1.2) * attempts_.tolerance().value;
   for (int round = 0; round < 3 && guard_ && start.error < near && !attempts_.stopped(); ++round) {
@@ -221,10 +237,11 @@ void OptimizedSizes::finish(Entry& entry, Start& start) {
       break;
     }
   }
-  // A surface that holds is checked at all places between the data where it could be off.
-  for (int round = 0; round < 4 && guard_ && error <= tolerance; ++round) {
+  // A surface that holds is checked at all points, and at all places between them where it could be off.
+  const int most_rounds = whole_ ? kExchanges : kGuardExchanges;
+  for (int round = 0; round < most_rounds && joined_ && error <= tolerance; ++round) {
     problem_.evaluate(state.knots, state.net);
-    if (guard_->exchange(problem_) == 0) break;
+    if (!exchange()) break;
     take_new_points();
     problem_.factor(state.knots);
     problem_.evaluate(state.knots, state.net);

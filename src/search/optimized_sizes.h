@@ -9,14 +9,18 @@
 #include "search/attempts.h"
 #include "search/guard.h"
 #include "search/size_solver.h"
+#include "search/whole_data.h"
 namespace knotfit {
 
 class OptimizedSizes final : public SizeSolver {
  public:
-  /// \param problem  scattered, over the guard's points where there is a guard, else over the data
+  /// \param problem  scattered, over what a guard or the whole data let join, else over the data
   /// \param context  of that problem, with the fine model set
-  OptimizedSizes(MovingFit& problem, PlacementContext& context, Guard* guard, Attempts& attempts,
-                 const RefineOptions& options);
+  /// \param joined   null without a guard and a sample
+  /// \param guard    may be null
+  /// \param whole    where the problem is over a sample; else null
+  OptimizedSizes(MovingFit& problem, PlacementContext& context, JoinedPoints* joined, Guard* guard,
+                 WholeData* whole, Attempts& attempts, const RefineOptions& options);
 
   /// Knots to start from at their own size. \return that size
   Spans seed(InteriorKnots knots);
@@ -41,15 +45,21 @@ class OptimizedSizes final : public SizeSolver {
   /// Adds the fill points that matter to these knots, and optimises the knots again.
   void fill(Start& start);
   void take_new_points();
+  /// Lets places between the data and points of the whole data join where the problem's surface is off.
+  /// \return whether any did
+  bool exchange();
   double measured() const;
   void use_base_weights();
 
   MovingFit& problem_;
   PlacementContext& context_;
+  JoinedPoints* joined_;
   Guard* guard_;
+  WholeData* whole_;
   Attempts& attempts_;
   const RefineOptions& options_;
   bool to_maximum_;
+  double whole_over_sample_ = 1;  ///< error over all points by that over the sample, where last measured
   PointShares shares_;
   LevenbergOptions levenberg_;
   std::map<Spans, Entry> entries_;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "data/neighbours.h"
 #include "data/parameter_groups.h"
 namespace knotfit {
 namespace {
@@ -180,9 +179,11 @@ DataRaster::DataRaster(int dimension_, Index side_u_, Index side_v_, double end_
   spacing_v.assign(cells(), 1.0);
 }
 
-DataRaster data_raster(const ParameterizedPoints& points, double scale) {
-  const DistinctPoints distinct = distinct_points(points);
-  const Neighbours neighbours = plain_neighbours(distinct);
+DataRaster data_raster(const ParameterizedPoints& points, double scale,
+                       std::shared_ptr<const IndexedPoints> indexed) {
+  indexed = indexed_or(std::move(indexed), points);
+  const DistinctPoints& distinct = indexed->distinct;
+  const Neighbours& neighbours = indexed->neighbours;
   const Index n =
       std::clamp<Index>(static_cast<Index>(2 * std::sqrt(static_cast<double>(distinct.size()))), 16, 200);
   const int d = points.dimension;

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "data/indexed_points.h"
 #include "knotfit/curve_points.h"
-#include "knotfit/points.h"
 namespace knotfit {
 
 /// Piecewise constant on side_u x side_v cells of [0,end_u] x [0,1], cell (i, j) at i * side_v + j.
@@ -24,7 +24,8 @@ struct DataRaster {
 
 /// \param points  valid
 /// \param scale   t > 0: errors of this size are all the same to the caller
-DataRaster data_raster(const ParameterizedPoints& points, double scale);
+DataRaster data_raster(const ParameterizedPoints& points, double scale,
+                       std::shared_ptr<const IndexedPoints> indexed = {});
 
 /// Of the strip of a curve (strip.h), which holds every point twice: weights are twice those of the curve. Of a closed curve
 /// two periods, [0,2].

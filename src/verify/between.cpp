@@ -148,7 +148,8 @@ BetweenReport measure_between(const Surface& surface, const ParameterizedPoints&
   const Stage stage(control, "between");
   const auto all = static_cast<double>(std::max<Index>(1, options.random_places + options.gap_places));
   if (stage.over()) return {};
-  const verify::ReferenceField field(points, tolerance, options.metric_u, options.metric_v, options.seed);
+  const verify::ReferenceField field(points, tolerance, options.metric_u, options.metric_v, options.seed,
+                                     options.indexed);
 
   verify::Random random(options.seed, verify::Random::Stream::places);
   std::vector<Place> places(static_cast<std::size_t>(options.random_places));

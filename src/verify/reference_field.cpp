@@ -33,22 +33,28 @@ bool for_places(Index n, const DistinctPoints& points, const Neighbours& neighbo
 
 ReferenceField::ReferenceField(const ParameterizedPoints& points, double tolerance,
                                std::span<const double> metric_u, std::span<const double> metric_v,
-                               unsigned long long seed)
+                               unsigned long long seed, std::shared_ptr<const IndexedPoints> indexed)
     : tolerance_(tolerance),
-      points_(distinct_points(points)),
-      plain_(plain_neighbours(points_)),
+      indexed_(indexed_or(std::move(indexed), points)),
+      points_(indexed_->distinct),
+      plain_(indexed_->neighbours),
       xi_(metric_u, net_scale(std::max(metric_u.size(), metric_v.size()))),
-      eta_(metric_v, net_scale(std::max(metric_u.size(), metric_v.size()))) {
-  if (!metric_u.empty() || !metric_v.empty()) {
+      eta_(metric_v, net_scale(std::max(metric_u.size(), metric_v.size()))),
+      two_metrics_(!metric_u.empty() || !metric_v.empty()) {
+  const double found = find_noise(points_, plain_, seed);
+  if (found > kNoise * tolerance) noise_ = found;
+}
+
+const Neighbours& ReferenceField::mapped() const {
+  std::call_once(mapped_once_, [&] {
     // The coordinates grow with u and v, so the strips stay.
     std::vector<double> x(points_.u.size()), y(points_.v.size());
     parallel_chunks(points_.size(), [&](Index, Index begin, Index end) {
       for (Index k = begin; k < end; ++k) x[k] = xi_(points_.u[k]), y[k] = eta_(points_.v[k]);
     });
     mapped_ = std::make_unique<Neighbours>(std::move(x), std::move(y), points_.strip_start);
-  }
-  const double found = find_noise(points_, plain_, seed);
-  if (found > kNoise * tolerance) noise_ = found;
+  });
+  return *mapped_;
 }
 
 std::vector<ReferenceValue> ReferenceField::at(std::span<const Place> places,
@@ -59,13 +65,14 @@ std::vector<ReferenceValue> ReferenceField::at(std::span<const Place> places,
         reference[i] = reference_value(gatherer, places[i][0], places[i][1], noise_);
       }))
     return {};
-  if (!mapped_) return reference;
+  if (!two_metrics_) return reference;
   std::vector<Index> doubtful;
   for (Index i = 0; i < n; ++i)
     if (std::isfinite(reference[i].error_bar) && reference[i].error_bar > kDoubt * tolerance_)
       doubtful.push_back(i);
+  if (doubtful.empty()) return reference;
   const auto second_go_on = [&](Index) { return !go_on || go_on(n); };
-  if (!for_places(static_cast<Index>(doubtful.size()), points_, *mapped_, kMappedShape, second_go_on,
+  if (!for_places(static_cast<Index>(doubtful.size()), points_, mapped(), kMappedShape, second_go_on,
                   [&](StencilGatherer& gatherer, Index j) {
                     const Place& p = places[doubtful[j]];
                     ReferenceValue& r = reference[doubtful[j]];

@@ -3,10 +3,11 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
-#include "knotfit/points.h"
+#include "data/indexed_points.h"
 #include "verify/local_reference.h"
 #include "verify/net_coordinates.h"
 namespace knotfit::verify {
@@ -20,8 +21,10 @@ class ReferenceField {
   /// \param tolerance  what the error bars are held against: noise below 0.02 of it is none, and bars above
   ///   a quarter of it ask the second metric
   /// \param metric_u, metric_v  interior knots of an error-model net; both empty: no second metric
+  /// \param indexed  the points, where they are; null: made here
   ReferenceField(const ParameterizedPoints& points, double tolerance, std::span<const double> metric_u,
-                 std::span<const double> metric_v, unsigned long long seed);
+                 std::span<const double> metric_v, unsigned long long seed,
+                 std::shared_ptr<const IndexedPoints> indexed = {});
 
   double noise() const { return noise_; }  ///< standard deviation in force; 0: none
   const DistinctPoints& points() const { return points_; }
@@ -33,10 +36,15 @@ class ReferenceField {
 
  private:
   double tolerance_;
-  DistinctPoints points_;
-  Neighbours plain_;
+  const Neighbours& mapped() const;  ///< made when first asked for
+
+  std::shared_ptr<const IndexedPoints> indexed_;
+  const DistinctPoints& points_;
+  const Neighbours& plain_;
   NetCoordinate xi_, eta_;
-  std::unique_ptr<Neighbours> mapped_;  ///< or none
+  bool two_metrics_;
+  mutable std::once_flag mapped_once_;
+  mutable std::unique_ptr<Neighbours> mapped_;
   double noise_ = 0;
 };
 

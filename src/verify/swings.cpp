@@ -49,10 +49,12 @@ struct SwingSites::Sites {
   }
 };
 
-SwingSites::SwingSites(const ParameterizedPoints& points, Index most_places, unsigned long long seed)
+SwingSites::SwingSites(const ParameterizedPoints& points, Index most_places, unsigned long long seed,
+                       std::shared_ptr<const IndexedPoints> indexed)
     : points_(points),
-      distinct_(distinct_points(points)),
-      neighbours_(plain_neighbours(distinct_)),
+      indexed_(indexed_or(std::move(indexed), points)),
+      distinct_(indexed_->distinct),
+      neighbours_(indexed_->neighbours),
       low_(points.dimension, INFINITY),
       high_(points.dimension, -INFINITY) {
   for (Index k = 0; k < points.size(); ++k)

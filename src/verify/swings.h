@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "data/neighbours.h"
+#include "data/indexed_points.h"
 #include "knotfit/verify.h"
 namespace knotfit::verify {
 
@@ -14,7 +14,9 @@ class SwingSites {
  public:
   /// \param points       outlive the sites
   /// \param most_places  about so many inside triangles
-  SwingSites(const ParameterizedPoints& points, Index most_places, unsigned long long seed = 1);
+  /// \param indexed      the points, where they are; null: made here
+  SwingSites(const ParameterizedPoints& points, Index most_places, unsigned long long seed = 1,
+             std::shared_ptr<const IndexedPoints> indexed = {});
 
   /// \param errors     n, |S - P| of every point
   /// \param tolerance  > 0: swings are in units of the larger of it and the largest error of the 8 nearest points
@@ -54,8 +56,9 @@ class SwingSites {
   bool measure_box(SwingReport& report, const Surface& surface, double allowed, Strays* strays) const;
 
   const ParameterizedPoints& points_;
-  DistinctPoints distinct_;
-  Neighbours neighbours_;
+  std::shared_ptr<const IndexedPoints> indexed_;
+  const DistinctPoints& distinct_;
+  const Neighbours& neighbours_;
   std::vector<double> low_, high_;  ///< box of all values
   double diagonal_ = 0;
   std::shared_ptr<const Sites> fixed_;

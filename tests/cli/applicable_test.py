@@ -52,7 +52,7 @@ BY_INPUT = {
 }
 # Options whose work does not depend on what the input is; those on outputs are refused without such an output.
 ANY_INPUT = set("""--tol --within --rms --control-points --degree --max-control-points --max-fits --time-limit
-    --knots --knots-u --knots-v --knots-from --refine --effort --guard --feature --feature-file --evaluations --smoothing
+    --knots --knots-u --knots-v --knots-from --refine --effort --guard --engine --feature --feature-file --evaluations --smoothing
     --input-format --nodata --height-field --correct --fairness --output --force --json --between --threads --quiet
     --options --no-height-field --no-rescale-parameters --no-fill-holes --no-largest-part --no-orient --no-drop-degenerate
     --no-new-parameters --no-cad-safe --help --help-all""".split())

@@ -92,31 +92,33 @@ MovingFit moving(const ParameterizedPoints& points) {
 TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
   const ParameterizedPoints points = synthetic_points("franke", 4000);
   const double tolerance = 1e-3 * synthetic_diagonal(points);
-  Guard guard(points, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  EXPECT_EQ(guard.data_count(), points.size());
+  JoinedPoints joined(points);
+  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
+  EXPECT_EQ(joined.data_count(), points.size());
   EXPECT_EQ(guard.fill_count(), 0);
-  MovingFit problem = moving(guard.points());
+  MovingFit problem = moving(joined.points());
   problem.solve({uniform_knots(2), uniform_knots(2)});
   EXPECT_EQ(guard.fill(problem), 0);  // 440 points a cell: nowhere to go astray
   problem.solve({uniform_knots(24), uniform_knots(24)});
-  const Index joined = guard.fill(problem);
-  EXPECT_GT(joined, 200);
-  EXPECT_EQ(guard.fill_count(), joined);
-  EXPECT_EQ(guard.points().size(), points.size() + joined);
+  const Index filled = guard.fill(problem);
+  EXPECT_GT(filled, 200);
+  EXPECT_EQ(guard.fill_count(), filled);
+  EXPECT_EQ(joined.points().size(), points.size() + filled);
   problem.take_new_points();
   problem.solve({uniform_knots(24), uniform_knots(24)});
   EXPECT_EQ(guard.fill(problem), 0);  // they joined for good
-  for (Index k = points.size(); k < guard.points().size(); ++k) {
-    const double truth = franke(guard.points().u(k), guard.points().v(k));
-    EXPECT_NEAR(guard.points().value(k)[0], truth, 4 * tolerance);
+  for (Index k = points.size(); k < joined.points().size(); ++k) {
+    const double truth = franke(joined.points().u(k), joined.points().v(k));
+    EXPECT_NEAR(joined.points().value(k)[0], truth, 4 * tolerance);
   }
 }
 
 TEST(Guard, TakesInWhereASurfaceGoesAstray) {
   const ParameterizedPoints points = synthetic_points("franke", 4000);
   const double tolerance = 1e-3 * synthetic_diagonal(points);
-  Guard guard(points, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  MovingFit problem = moving(guard.points());
+  JoinedPoints joined(points);
+  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
+  MovingFit problem = moving(joined.points());
   const InteriorKnots knots{uniform_knots(24), uniform_knots(24)};
   problem.solve(knots);
   EXPECT_LE(guard.exchange(problem), 5);  // a fair fit is near the reference at most of 1 000 places
@@ -130,8 +132,9 @@ TEST(Guard, TakesInWhereASurfaceGoesAstray) {
 TEST(Guard, LooksIntoASlitBetweenTwoKnots) {
   const ParameterizedPoints points = synthetic_points("franke", 4000);
   const double tolerance = 1e-3 * synthetic_diagonal(points);
-  Guard guard(points, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  MovingFit problem = moving(guard.points());
+  JoinedPoints joined(points);
+  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
+  MovingFit problem = moving(joined.points());
   const InteriorKnots knots{{0.4999, 0.4999, 0.5, 0.5001, 0.5001}, {}};
   problem.solve(knots);
   std::vector<double> net = problem.net();
@@ -140,8 +143,8 @@ TEST(Guard, LooksIntoASlitBetweenTwoKnots) {
   problem.evaluate(knots, net);
   guard.exchange(problem);
   bool inside = false;
-  for (Index k = points.size(); k < guard.points().size(); ++k)
-    inside |= std::abs(guard.points().u(k) - 0.5) < 1e-4;
+  for (Index k = points.size(); k < joined.points().size(); ++k)
+    inside |= std::abs(joined.points().u(k) - 0.5) < 1e-4;
   EXPECT_TRUE(inside);
 }
 
