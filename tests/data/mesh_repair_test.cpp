@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <numeric>
 
 #include "data/mesh_topology.h"
@@ -81,34 +80,6 @@ TEST(MeshRepair, MessagesAfterARepairNameTheFilesOwnNumbers) {
   expect_throw<InvalidInput>([&] { require_disk(out.mesh); }, "face 15 (counted from 0)");
 }
 
-TEST(MeshRepair, FilledHolesMakeADiskOfVirtualFaces) {
-  const Mesh mesh = with_hole(sheet(9, 9), 9, {{2, 2}, {6, 6}, {6, 7}});
-  const RepairedMesh out = repair(mesh, {.fill_holes = true});
-  EXPECT_EQ(out.summary.filled_holes, 2);
-  EXPECT_NO_THROW(require_disk(out.mesh));
-  EXPECT_EQ(out.mesh.face_count(), mesh.face_count() + 4 + 6);
-  EXPECT_EQ(std::count(out.mesh.virtual_face.begin(), out.mesh.virtual_face.end(), 1), 10);
-  EXPECT_EQ(std::count(out.kept.begin(), out.kept.end(), -1), 2);
-  EXPECT_EQ(std::count(out.mesh.face_source.begin(), out.mesh.face_source.end(), -1), 10);
-  expect_same_places(mesh, out);
-}
-
-TEST(MeshRepair, ASlitIsFilledWithoutFlatFaces) {
-  // Two copies of the vertices along an inner line: a hole of no width.
-  Mesh mesh = sheet(6, 2);
-  for (std::size_t k = 2; k < mesh.vertices.size(); k += 3) mesh.vertices[k] = 0;
-  const auto n = static_cast<std::int32_t>(mesh.vertex_count());
-  for (std::int32_t i = 2; i <= 4; ++i)
-    for (int d = 0; d < 3; ++d)
-      mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(3 * (7 + i) + d)]);
-  for (std::size_t f = 12; f < mesh.faces.size(); ++f)  // the upper row has the copies
-    for (auto& v : mesh.faces[f])
-      if (v >= 9 && v <= 11) v = n + v - 9;
-  EXPECT_EQ(inspect(mesh).loop_edges.size(), 2U);
-  const RepairedMesh out = repair(mesh, {.fill_holes = true});
-  EXPECT_NO_THROW(require_disk(out.mesh));
-}
-
 TEST(MeshRepair, OrientTurnsTheFewer) {
   Random random;
   for (int round = 0; round < 20; ++round) {
@@ -131,71 +102,6 @@ TEST(MeshRepair, OrientTurnsTheFewer) {
 TEST(MeshRepair, OrientRefusesAMoebiusBand) {
   expect_throw<InvalidInput>([] { repair(band(9, true), {.orient = true}); },
                              "`orient` finds no orientation");
-}
-
-TEST(MeshRepair, NeedlesAreClosedByMergingTheirVertices) {
-  Mesh mesh = sheet(5, 5);
-  for (int d = 0; d < 3; ++d)
-    mesh.vertices[static_cast<std::size_t>(3 * 15 + d)] = mesh.vertices[static_cast<std::size_t>(3 * 14 + d)];
-  const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
-  EXPECT_EQ(out.summary.dropped_faces, 2);
-  EXPECT_EQ(out.summary.dropped_vertices, 1);
-  EXPECT_EQ(out.mesh.face_count(), 48);
-  EXPECT_NO_THROW(require_disk(out.mesh));
-  expect_same_places(mesh, out);
-}
-
-TEST(MeshRepair, ACapGivesItsCornerToTheFaceBeyond) {
-  // Vertex 4 lies on the edge 0-2 of face (0, 2, 3): a flat face (0, 4, 2) fills no gap.
-  Mesh mesh;
-  mesh.vertices = {0, 0, 0, 1, -1, 0, 2, 0, 0, 1, 1, 0, 1, 0, 0};
-  mesh.faces = {{0, 1, 4}, {1, 2, 4}, {0, 4, 2}, {0, 2, 3}};
-  ASSERT_EQ(inspect(mesh).degenerate_face, 2);
-  const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
-  EXPECT_EQ(out.summary.dropped_faces, 1);
-  EXPECT_EQ(out.mesh.face_count(), 4);
-  EXPECT_NO_THROW(require_disk(out.mesh));
-  EXPECT_NEAR(area(out.mesh), 2, 1e-15);
-  EXPECT_EQ(out.mesh.face_source, (std::vector<std::int32_t>{0, 1, 3, 3}));
-}
-
-TEST(MeshRepair, ACapAtTheBorderJustGoes) {
-  Mesh mesh = sheet(3, 3);
-  for (std::size_t k = 2; k < mesh.vertices.size(); k += 3) mesh.vertices[k] = 0;
-  mesh.faces.push_back({0, 2, 1});  // beyond the lower border, flat
-  const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
-  EXPECT_EQ(out.mesh.face_count(), 18);
-  EXPECT_NO_THROW(require_disk(out.mesh));
-}
-
-TEST(MeshRepair, RandomCollapsedEdgesLeaveADisk) {
-  Random random;
-  for (int round = 0; round < 100; ++round) {
-    Mesh mesh = sheet(8, 8);
-    std::vector<char> taken(81, 0);
-    // Inner vertices, far from each other, moved onto their right neighbours.
-    for (int k = 0; k < 6; ++k) {
-      const int i = random.integer(2, 5), j = random.integer(2, 6), v = 9 * j + i;
-      bool near = false;
-      for (int b = -2; b <= 2; ++b)
-        for (int a = -2; a <= 2; ++a)
-          near = near ||
-                 (v + 9 * b + a >= 0 && v + 9 * b + a < 81 && taken[static_cast<std::size_t>(v + 9 * b + a)]);
-      if (near) continue;
-      taken[static_cast<std::size_t>(v)] = 1;
-      std::copy_n(mesh.vertices.begin() + 3 * (v + 1), 3, mesh.vertices.begin() + 3 * v);
-    }
-    const RepairedMesh out = repair(mesh, {.drop_degenerate = true});
-    EXPECT_NO_THROW(require_disk(out.mesh));
-    EXPECT_NEAR(area(out.mesh), area(mesh), 1e-13);
-  }
-}
-
-TEST(MeshRepair, AFlatMeshLeavesNothing) {
-  Mesh mesh;
-  mesh.vertices = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0};
-  mesh.faces = {{0, 1, 2}, {1, 3, 2}, {0, 0, 1}};
-  expect_throw<InvalidInput>([&] { repair(mesh, {.drop_degenerate = true}); }, "nothing is left of the mesh");
 }
 
 TEST(MeshRepair, AnySoupOfFacesComesThrough) {

@@ -1,4 +1,3 @@
-// Feature measures given at points: averaged over cells, spread into empty ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,19 +90,6 @@ TEST(PointFeatures, NeedPointsAndACell) {
   expect_throw<InvalidInput>([] { point_features(at({}), {}, 4); }, "no points");
   expect_throw<InvalidInput>([] { point_features(at({2, 0}), {1}, 4); }, "point 0 has parameters (2, 0)");
   expect_throw<InvalidInput>([] { point_features(at({0, 0}), {1}, 0); }, "at least one cell");
-}
-
-TEST(FeatureMaps, AreValidatedByShapeAndValue) {
-  validate(FeatureMap{2, 2, {0, 1, 2, 3}});
-  for (const FeatureMap& bad : {FeatureMap{}, FeatureMap{2, 2, {1}}, FeatureMap{-1, -1, {1}}})
-    expect_throw<InvalidInput>([&] { validate(bad); }, "a feature map of");
-  for (double bad :
-       {-1e-300, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    expect_throw<InvalidInput>(
-        [&] {
-          validate(FeatureMap{2, 3, {0, 1, 2, 3, 4, bad}});
-        },
-        "the feature measure of cell (1, 2) is");
 }
 
 }  // namespace

@@ -295,14 +295,5 @@ TEST(Rows, RefuseGridsOfHoles) {
   expect_throw<InvalidInput>([&] { parameterize_rows(rows); }, "neither a hole, differ");
 }
 
-TEST(AveragedParameters, FillWhatALineDoesNotKnow) {
-  // Two lines of scales 1 and 10, each blind in one gap.
-  const std::vector<double> lengths = {1, kNan, 3, 10, 20, kNan};
-  const std::vector<double> t = parameterize::averaged_parameters(lengths, 3);
-  EXPECT_NEAR(t[1], 1.0 / 6, 1e-12);
-  EXPECT_NEAR(t[2], 0.5, 1e-12);
-  EXPECT_EQ(t[3], 1);
-}
-
 }  // namespace
 }  // namespace knotfit

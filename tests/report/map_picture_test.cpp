@@ -14,8 +14,6 @@
 namespace knotfit {
 namespace {
 
-using test::expect_throw;
-
 // cells x cells squares of two triangles over [0, width] x [0, 1], height z.
 Mesh sheet(int cells, double width = 1, double (*z)(double, double) = nullptr) {
   Mesh mesh;
@@ -157,29 +155,6 @@ TEST(MapPicture, IsTheSameForAnyNumberOfThreads) {
   set_thread_count(2);
   EXPECT_EQ(draw_map_picture(input, ".png"), one);
   set_thread_count(0);
-}
-
-TEST(FaceStretches, HaveTheSquareOfTheAspectFreeStretchAsTheirMean) {
-  const Mesh mesh = sheet(9, 1.7, [](double u, double v) { return 0.5 * std::sin(5 * u) * v * v; });
-  const MapQuality quality = measure_map(mesh, mesh.uv);
-  const std::vector<double> stretch = face_stretches(mesh, mesh.uv, quality.aspect);
-  double sum = 0, total = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto& t = mesh.faces[f];
-    const double *a = mesh.vertex(t[0]), *b = mesh.vertex(t[1]), *c = mesh.vertex(t[2]);
-    double n[3];
-    for (int k = 0; k < 3; ++k)
-      n[k] = (b[(k + 1) % 3] - a[(k + 1) % 3]) * (c[(k + 2) % 3] - a[(k + 2) % 3]) -
-             (b[(k + 2) % 3] - a[(k + 2) % 3]) * (c[(k + 1) % 3] - a[(k + 1) % 3]);
-    const double area = std::hypot(n[0], n[1], n[2]) / 2;
-    sum += area * stretch[f] * stretch[f];
-    total += area;
-  }
-  EXPECT_NEAR(std::sqrt(sum / total), quality.aspect_free_stretch, 1e-10 * quality.aspect_free_stretch);
-  // A flat sheet at its own place is mapped evenly.
-  const Mesh flat = sheet(5);
-  for (const double s : face_stretches(flat, flat.uv, 1)) EXPECT_NEAR(s, 1, 1e-12);
-  expect_throw<InvalidInput>([&] { face_stretches(flat, flat.uv, 0); }, "width over height 0");
 }
 
 }  // namespace

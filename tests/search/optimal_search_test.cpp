@@ -1,18 +1,11 @@
-// The size search with optimised knots, minimax and the guard between the data [METHOD 4.2].
+// The size search with optimised knots [METHOD 4.2].
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "knotfit/verify.h"
-#include "place/shares.h"
-#include "search/cover.h"
-#include "search/guard.h"
-#include "search/minimax.h"
 #include "search/searches.h"
-#include "solve/banded_system.h"
 #include "support/two_threads.h"
-#include "verify/local_reference.h"
 namespace knotfit::test {
 namespace {
 
@@ -29,123 +22,6 @@ double largest_anywhere(const std::string& name, const Surface& s) {
     most = std::max(most, std::sqrt(sum));
   }
   return most;
-}
-
-TEST(Minimax, LowersTheMaximumOfTheLeastSquares) {
-  const ParameterizedPoints points = synthetic_points("franke", 5000);
-  LeastSquaresOptions fit;
-  fit.refinement_steps = 0;
-  fit.estimate_condition = false;
-  fit.use_grid = false;
-  MovingFit problem(points, 3, 3, fit);
-  const InteriorKnots knots{uniform_knots(7), uniform_knots(7)};
-  problem.solve(knots);
-  const double before = problem.max();
-  MinimaxOptions fixed;
-  fixed.move_knots = false;
-  const NetState state = minimize_maximum(problem, {}, fixed);
-  EXPECT_EQ(state.knots, knots);
-  EXPECT_LT(state.max, 0.85 * before);
-  problem.evaluate(state.knots, state.net);
-  EXPECT_NEAR(problem.max(), state.max, 1e-12);
-  problem.solve(knots);
-  EXPECT_LT(minimize_maximum(problem, {}, {}).max, state.max);  // the knots move too
-}
-
-TEST(Minimax, EndsAtWhatIsEnough) {
-  const ParameterizedPoints points = synthetic_points("franke", 3000);
-  LeastSquaresOptions fit;
-  fit.use_grid = false;
-  MovingFit problem(points, 3, 3, fit);
-  problem.solve({uniform_knots(6), uniform_knots(6)});
-  MinimaxOptions options;
-  options.enough = 2 * problem.max();
-  const long fits = problem.fits();
-  EXPECT_LE(minimize_maximum(problem, {}, options).max, options.enough);
-  EXPECT_LE(problem.fits() - fits, 2);
-}
-
-TEST(Cover, LeavesNoNodeFartherThanItsRadius) {
-  const ParameterizedPoints points = synthetic_points("franke", 900);
-  const DistinctPoints distinct = distinct_points(points);
-  const Neighbours neighbours = plain_neighbours(distinct);
-  const auto places = cover_gaps(neighbours, 1, 0.5);
-  EXPECT_GT(places.size(), 50u);
-  EXPECT_LT(places.size(), 600u);
-  for (int i = 0; i <= 120; ++i)
-    for (int j = 0; j <= 120; ++j) {
-      const double u = i / 120.0, v = j / 120.0;
-      const bool border = i == 0 || i == 120 || j == 0 || j == 120;
-      double nearest = neighbours.gap(u, v);
-      for (const auto& p : places) nearest = std::min(nearest, std::hypot(p[0] - u, p[1] - v));
-      EXPECT_LE(nearest, (border ? 0.5 : 1.0) / 30 + 1e-12);
-    }
-}
-
-MovingFit moving(const ParameterizedPoints& points) {
-  LeastSquaresOptions fit;
-  fit.refinement_steps = 0;
-  fit.use_grid = false;
-  return MovingFit(points, 3, 3, fit);
-}
-
-TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
-  const ParameterizedPoints points = synthetic_points("franke", 4000);
-  const double tolerance = 1e-3 * synthetic_diagonal(points);
-  JoinedPoints joined(points);
-  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  EXPECT_EQ(joined.data_count(), points.size());
-  EXPECT_EQ(guard.fill_count(), 0);
-  MovingFit problem = moving(joined.points());
-  problem.solve({uniform_knots(2), uniform_knots(2)});
-  EXPECT_EQ(guard.fill(problem), 0);  // 440 points a cell: nowhere to go astray
-  problem.solve({uniform_knots(24), uniform_knots(24)});
-  const Index filled = guard.fill(problem);
-  EXPECT_GT(filled, 200);
-  EXPECT_EQ(guard.fill_count(), filled);
-  EXPECT_EQ(joined.points().size(), points.size() + filled);
-  problem.take_new_points();
-  problem.solve({uniform_knots(24), uniform_knots(24)});
-  EXPECT_EQ(guard.fill(problem), 0);  // they joined for good
-  for (Index k = points.size(); k < joined.points().size(); ++k) {
-    const double truth = franke(joined.points().u(k), joined.points().v(k));
-    EXPECT_NEAR(joined.points().value(k)[0], truth, 4 * tolerance);
-  }
-}
-
-TEST(Guard, TakesInWhereASurfaceGoesAstray) {
-  const ParameterizedPoints points = synthetic_points("franke", 4000);
-  const double tolerance = 1e-3 * synthetic_diagonal(points);
-  JoinedPoints joined(points);
-  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  MovingFit problem = moving(joined.points());
-  const InteriorKnots knots{uniform_knots(24), uniform_knots(24)};
-  problem.solve(knots);
-  EXPECT_LE(guard.exchange(problem), 5);  // a fair fit is near the reference at most of 1 000 places
-  std::vector<double> net = problem.net();
-  for (double& c : net) c += 10 * tolerance;
-  problem.take_new_points();
-  problem.evaluate(knots, net);
-  EXPECT_GT(guard.exchange(problem), 200);
-}
-
-TEST(Guard, LooksIntoASlitBetweenTwoKnots) {
-  const ParameterizedPoints points = synthetic_points("franke", 4000);
-  const double tolerance = 1e-3 * synthetic_diagonal(points);
-  JoinedPoints joined(points);
-  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  MovingFit problem = moving(joined.points());
-  const InteriorKnots knots{{0.4999, 0.4999, 0.5, 0.5001, 0.5001}, {}};
-  problem.solve(knots);
-  std::vector<double> net = problem.net();
-  const Index columns = problem.axis_v().functions();
-  for (Index j = 0; j < columns; ++j) net[4 * columns + j] += 1e3 * tolerance;  // inside of the slit alone
-  problem.evaluate(knots, net);
-  guard.exchange(problem);
-  bool inside = false;
-  for (Index k = points.size(); k < joined.points().size(); ++k)
-    inside |= std::abs(joined.points().u(k) - 0.5) < 1e-4;
-  EXPECT_TRUE(inside);
 }
 
 TEST(OptimalSearch, NeedsFewerControlPointsThanPlacedKnots) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the structure of the sources: structure.py ROOT includes|headers|architecture|length|flags|pages.
+"""Checks the structure of the sources: structure.py ROOT includes|headers|architecture|length|flags|pages|mirrors.
 
 includes      every #include of src/, tool/ and include/ points to the left in ORDER; a public header
               counts as part of the folder that docs/architecture.md gives it
@@ -10,6 +10,7 @@ architecture  docs/architecture.md and src/CMakeLists.txt tell the same order, a
 length        no source file is longer than 600 lines
 flags         no message or comment of the library names an option of the tool (knotfit/remedy.h names remedies)
 pages         links lead from README.md to every page of docs/, and every link of a page leads to something
+mirrors       every .cpp of src/ has its test at the same place of tests/, or a row in tests/mirrors.txt that names another
 
 Prints every breach as path:line and exits with 1 if there is one. See docs/architecture.md.
 """
@@ -233,6 +234,42 @@ def check_pages(root):
             yield f"{page.relative_to(root)}:1: no link leads from {README} to this page"
 
 
+MIRRORS = "tests/mirrors.txt"
+
+
+def mirror(name):
+    """Where the test of src/<name>.cpp stands. The CAD formats, which a build may lack, have a folder of their own."""
+    return f"tests/{name.replace('formats/cad/', 'cad/', 1)}_test.cpp"
+
+
+def check_mirrors(root):
+    table = root / MIRRORS
+    rows = []
+    lines = table.read_text(encoding="utf-8").splitlines() if table.is_file() else []
+    for number, line in enumerate(lines, 1):
+        words = line.split()
+        if not words or words[0].startswith("#"):
+            continue
+        where = f"{MIRRORS}:{number}"
+        if len(words) != 2:
+            yield f"{where}: a row has a file of src/ and a test of tests/, parted by blanks"
+            continue
+        name, test = words
+        if rows and name <= rows[-1]:
+            yield f"{where}: {name} comes after {rows[-1]}: sort the rows, each file once"
+        rows.append(name)
+        if not (root / "src" / f"{name}.cpp").is_file():
+            yield f"{where}: src/{name}.cpp is not there: take the row out"
+        elif (root / mirror(name)).is_file():
+            yield f"{where}: {name} has {mirror(name)}: take the row out"
+        if not test.endswith("_test.cpp") or not (root / "tests" / test).is_file():
+            yield f"{where}: tests/{test} is no test that is there: name the one that exercises {name}"
+    for path in sources(root, ["src"], (".cpp",)):
+        name = path.relative_to(root / "src").with_suffix("").as_posix()
+        if name not in rows and not (root / mirror(name)).is_file():
+            yield f"src/{name}.cpp:1: write {mirror(name)}, or name the test that exercises it in {MIRRORS}"
+
+
 CHECKS = {
     "includes": check_includes,
     "headers": check_headers,
@@ -240,6 +277,7 @@ CHECKS = {
     "length": check_length,
     "flags": check_flags,
     "pages": check_pages,
+    "mirrors": check_mirrors,
 }
 
 

@@ -117,6 +117,33 @@ class Structure(unittest.TestCase):
         self.one(structure.check_pages, dict(pages, **{"CHANGELOG.md": f"[a]({structure.DOCUMENT}#gone)\n"}),
                  "#gone", "heading")
 
+    def test_a_source_file_without_a_test_is_found(self):
+        mirrored = {"src/fit/a.cpp": "", "tests/fit/a_test.cpp": "",
+                    "src/formats/cad/b.cpp": "", "tests/cad/b_test.cpp": ""}
+        self.assertEqual([], self.breaches(structure.check_mirrors, mirrored))
+        for source, test in [("src/fit/a.cpp", "tests/fit/a_test.cpp"),
+                             ("src/formats/cad/b.cpp", "tests/cad/b_test.cpp")]:
+            files = {name: text for name, text in mirrored.items() if name != test}
+            self.one(structure.check_mirrors, files, f"{source}:1: write {test}", structure.MIRRORS)
+        # A test of the same name in another folder is none.
+        self.one(structure.check_mirrors, {"src/fit/a.cpp": "", "tests/solve/a_test.cpp": ""}, "tests/fit/a_test.cpp")
+
+    def test_a_row_stands_for_a_test_of_the_same_name(self):
+        files = {"src/fit/a.cpp": "", "src/fit/b.cpp": "", "tests/fit/b_test.cpp": ""}
+        table = structure.MIRRORS
+        self.assertEqual([], self.breaches(structure.check_mirrors, {
+            **files, table: "# source  test\n\nfit/a  fit/b_test.cpp\n"}))
+        rows = "# source  test\nfit/a  fit/b_test.cpp\n"
+        self.one(structure.check_mirrors, {**files, table: rows + "fit/b  fit/b_test.cpp\n"},
+                 f"{table}:3", "tests/fit/b_test.cpp", "take the row out")
+        self.one(structure.check_mirrors, {**files, table: rows + "fit/gone  fit/b_test.cpp\n"},
+                 f"{table}:3", "src/fit/gone.cpp is not there", "take the row out")
+        self.one(structure.check_mirrors, {**files, table: rows + "fit/a  fit/b_test.cpp\n"}, f"{table}:3", "sort")
+        self.one(structure.check_mirrors, {**files, table: rows + "fit/c\n"}, f"{table}:3", "a row has")
+        for test in ["fit/gone_test.cpp", "fit/b.h"]:
+            self.one(structure.check_mirrors, {**files, "tests/fit/b.h": "", table: f"fit/a  {test}\n"},
+                     f"{table}:1", f"tests/{test}", "name the one")
+
     def test_a_wrong_order_in_the_documentation_is_found(self):
         root = Path(__file__).resolve().parents[2]
         text = (root / "docs/architecture.md").read_text(encoding="utf-8")

@@ -1,3 +1,5 @@
+#include "knotfit/fit_least_squares.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,7 +7,6 @@
 
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
-#include "knotfit/fit_least_squares.h"
 #include "knotfit/threads.h"
 #include "support/dense_reference.h"
 #include "support/expect_throw.h"

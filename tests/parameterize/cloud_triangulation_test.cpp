@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include "knotfit/parameterize_cloud.h"
+#include "support/random_splines.h"
+namespace knotfit::test {
+namespace {
+
+using Points = std::vector<double>;
+
+void expect_sound(const CloudMap& c) {
+  ASSERT_EQ(static_cast<Index>(c.map.uv.size()), 2 * c.mesh.vertex_count());
+  EXPECT_EQ(c.mesh.virtual_face.size(), c.mesh.faces.size());
+  for (const double x : c.map.uv) EXPECT_TRUE(x >= 0 && x <= 1);
+  EXPECT_EQ(c.map.quality.flipped, 0);
+  EXPECT_EQ(measure_map(c.mesh, c.map.uv).flipped, 0);
+}
+
+TEST(TriangulatedParameters, StayWhereTheyAre) {
+  Random random;
+  Points p, uv;
+  for (int k = 0; k < 400; ++k) {
+    // A strip 50 times as long as wide, in the middle of the square.
+    uv.push_back(0.2 + 0.5 * random.unit()), uv.push_back(0.3 + 0.6 * random.unit());
+    p.insert(p.end(), {50 * uv[2 * k], uv[2 * k + 1], 0.0});
+  }
+  const CloudMap c = triangulate_parameters(p, uv);
+  expect_sound(c);
+  EXPECT_EQ(c.base, CloudBase::given);
+  for (std::size_t k = 0; k < uv.size(); ++k) EXPECT_NEAR(c.map.uv[k], uv[k], 1e-7);
+  EXPECT_NEAR(c.map.quality.aspect_free_stretch, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace knotfit::test
