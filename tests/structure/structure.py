@@ -262,7 +262,7 @@ def check_mirrors(root):
             yield f"{where}: src/{name}.cpp is not there: take the row out"
         elif (root / mirror(name)).is_file():
             yield f"{where}: {name} has {mirror(name)}: take the row out"
-        if not test.endswith("_test.cpp") or not (root / "tests" / test).is_file():
+        if not test.endswith(("_test.cpp", "_test.py")) or not (root / "tests" / test).is_file():
             yield f"{where}: tests/{test} is no test that is there: name the one that exercises {name}"
     for path in sources(root, ["src"], (".cpp",)):
         name = path.relative_to(root / "src").with_suffix("").as_posix()
