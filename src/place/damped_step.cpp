@@ -24,8 +24,8 @@ bool damped_step(std::span<const double> matrix, std::span<const double> gradien
       mu * (h.diagonal().array() + 1e-6 * trace / static_cast<double>(n)) + 1e-13 * trace;
   Eigen::Map<Eigen::VectorXd> s(step.data(), n);
   s = -damped.ldlt().solve(Vector(gradient.data(), n));
-  if (!s.allFinite()) return false;  // maxCoeff() may pass a NaN over
   const double largest = s.cwiseAbs().maxCoeff();
+  if (!std::isfinite(largest)) return false;
   if (largest > most) s *= most / largest;
   return true;
 }

@@ -44,11 +44,6 @@ TEST(DampedStep, IsShortenedAsAWhole) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(cut[i], whole[i] * 0.5 / largest, 1e-15);
 }
 
-TEST(DampedStep, SaysThatAMatrixIsNoNumbers) {
-  std::vector<double> step(2);
-  EXPECT_FALSE(damped_step(std::vector<double>{NAN, 0, 0, 1}, std::vector<double>{1, 1}, 0, 1, step));
-}
-
 TEST(Damping, FallsAfterAGoodStepAndGrowsFasterAndFaster) {
   Damping damping;
   const double start = damping.mu;
