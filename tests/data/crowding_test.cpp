@@ -25,7 +25,7 @@ ParameterizedPoints plane(double share) {
 }
 
 TEST(Crowding, EvenParametersCrowdNothing) {
-  EXPECT_LT(crowded_share(plane(0.5)), 0.001);
+  EXPECT_LT(crowded_share(IndexedPoints(plane(0.5))), 0.001);
 }
 
 TEST(Crowding, IsSeenWhereParametersSqueezeAPart) {
@@ -37,7 +37,7 @@ TEST(Crowding, IsSeenWhereParametersSqueezeAPart) {
     if (r > 0.2) continue;
     for (int d = 0; d < 2; ++d) uv[d] = 0.5 + 0.05 * (uv[d] - 0.5);
   }
-  EXPECT_GT(crowded_share(points), kCrowded);
+  EXPECT_GT(crowded_share(IndexedPoints(points)), kCrowded);
 }
 
 // Points that are near in space too are a cluster of the data, not of its parameters.
@@ -48,7 +48,7 @@ TEST(Crowding, ClustersOfTheDataAreNone) {
       points.uv[2 * k + d] = 0.5 + 0.01 * (points.uv[2 * k + d] - 0.5);
       points.values[3 * k + d] = 0.01 * points.values[3 * k + d];
     }
-  EXPECT_LT(crowded_share(points), 0.001);
+  EXPECT_LT(crowded_share(IndexedPoints(points)), 0.001);
 }
 
 }  // namespace

@@ -10,12 +10,6 @@
 namespace knotfit::test {
 namespace {
 
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) sum += face_area(mesh, f);
-  return sum;
-}
-
 /// What came from the mesh is where it was.
 void expect_same_places(const Mesh& before, const RepairedMesh& after) {
   ASSERT_EQ(static_cast<Index>(after.kept.size()), after.mesh.vertex_count());

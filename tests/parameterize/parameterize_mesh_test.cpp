@@ -204,5 +204,20 @@ TEST_P(Scans, AreMappedWithoutAFlipAndWithLittleStretch) {
   EXPECT_LE(map.trial_distance, GetParam().distance);
 }
 
+// Distances of the default map's fit of 20 x 20: what was asked for. Those of the other large meshes take too
+// long here and are in scripts/parameterization, which fails where one is missed.
+INSTANTIATE_TEST_SUITE_P(
+    Real, Scans,
+    ::testing::Values(Scan{"face.obj", 1.15, 2.3e-3}, Scan{"three_peaks.off", 1.25, 4.5e-4},
+                      Scan{"mask.obj", 1.1, 1.2e-3}, Scan{"horizon.off", 1.005, 2e-4},
+                      Scan{"cowhead.obj", 1.45, 0}, Scan{"hammer_half.ply", 1.85, 0},
+                      Scan{"cylinder_uneven.off", 1.001, 0}, Scan{"skull_top.ply", 1.2, 0},
+                      Scan{"mountain.ply", 1.2, 0}, Scan{"blade_patch.ply", 1.02, 0},
+                      Scan{"demosthenes_front.ply", 1.35, 0}, Scan{"blade_half.ply", 1.55, 0}),
+    [](const auto& scan) {
+      std::string name = scan.param.name;
+      return name.substr(0, name.find('.'));
+    });
+
 }  // namespace
 }  // namespace knotfit

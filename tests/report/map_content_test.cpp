@@ -14,6 +14,8 @@
 namespace knotfit {
 namespace {
 
+using test::expect_throw;
+
 // cells x cells squares of two triangles over [0, width] x [0, 1], height z.
 Mesh sheet(int cells, double width = 1, double (*z)(double, double) = nullptr) {
   Mesh mesh;
