@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "fit/error_measure.h"
 #include "knotfit/curve_io.h"
 #include "knotfit/curve_picture.h"
 #include "knotfit/exceptions.h"
@@ -51,10 +52,7 @@ Json outcome(const CurveReport& r) {
              {"t", number(f.t[e.worst])}};
   Json tolerance = nullptr;
   if (f.tolerance > 0) {
-    static constexpr const char* kNames[] = {"max", "rms", "percentile"};
-    tolerance = {{"value", f.tolerance},
-                 {"measure", kNames[static_cast<int>(f.asked.measure)]},
-                 {"share", f.asked.share}};
+    tolerance = {{"value", f.tolerance}, {"measure", row_of(f.asked.measure).name}, {"share", f.asked.share}};
   }
   std::vector<std::string> notes = r.reading.notes;
   notes.insert(notes.end(), f.notes.begin(), f.notes.end());

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fit/error_measure.h"
 #include "fit_report.h"
 #include "knotfit/version.h"
 #include "options_json.h"
@@ -56,10 +57,9 @@ Json error_of(const FitReport& r) {
 Json tolerance_of(const FitReport& r) {
   if (!r.choices.tolerance) return nullptr;
   const MeasureValue measure = r.choices.measure.value_or(MeasureValue{});
-  static constexpr const char* kNames[] = {"max", "rms", "percentile"};
   return {{"value", number(r.result.tolerance)},
           {"asked", to_text(*r.choices.tolerance)},
-          {"measure", kNames[static_cast<int>(measure.measure)]},
+          {"measure", row_of(measure.measure).name},
           {"share", measure.share},
           {"within", number(share_within(r.result))}};
 }

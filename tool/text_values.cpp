@@ -108,7 +108,7 @@ MeasureValue parse_percentile(std::string_view text) {
 
 MeasureValue parse_measure(std::string_view text) {
   for (const ErrorMeasureRow& row : error_measures())
-    if (!row.name.empty() && row.name == text) return {row.measure, 1};
+    if (!row.needs_share && row.name == text) return {row.measure, 1};
   return parse_percentile(text);
 }
 

@@ -44,7 +44,7 @@ constexpr std::array kRows{
                     .where = "in root mean square"},
     ErrorMeasureRow{
         .measure = ErrorMeasure::percentile,
-        .name = "",
+        .name = "percentile",
         .needs_share = true,
         .of_errors = [](const std::vector<double>& e, double share) { return error_quantile(e, share); },
         .of_sums = nullptr,

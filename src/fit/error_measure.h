@@ -10,7 +10,7 @@ namespace knotfit {
 
 struct ErrorMeasureRow {
   ErrorMeasure measure;
-  std::string_view name;  ///< as users write it; empty: by its share of the points, "99.5%"
+  std::string_view name;  ///< in reports, and as users write it; one that needs a share is written by that, "99.5%"
   bool needs_share;       ///< Tolerance::share means something
   /// \param errors  not empty
   double (*of_errors)(const std::vector<double>& errors, double share);

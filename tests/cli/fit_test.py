@@ -99,10 +99,39 @@ class ExitStatus(ToolTest):
         self.assertEqual(self.run_json("fit", "points.csv", "--control-points", "6")["size"], [6, 6])
 
 
+class Engine(ToolTest):
+    def write_many(self):
+        self.write_points("many.csv", 60000, lambda u, v: math.sin(9 * u) * math.exp(-20 * (v - 0.4) ** 2))
+
+    def test_many_points_are_searched_on_a_sample_and_judged_at_all(self):
+        self.write_many()
+        report = self.run_json("fit", "many.csv", "--tol", "1%", "--effort", "fast", "-o", "s.json", "-o", "s.csv")
+        self.assertEqual(report["status"], "reached")
+        self.assertGreater(report["sample"], 15000)
+        self.assertLess(report["sample"], 30000)
+        errors = [row["error"] for row in self.read_csv((self.folder / "s.csv").read_text())]
+        self.assertEqual(len(errors), 60000)
+        self.assertLessEqual(max(errors), report["tolerance"]["value"])
+        self.assertIn("on a sample of", self.run_tool("fit", "many.csv", "--control-points", "6").stdout)
+
+    def test_all_points_are_searched_where_that_is_asked(self):
+        self.write_many()
+        report = self.run_json("fit", "many.csv", "--control-points", "6", "--engine", "points")
+        self.assertEqual(report["sample"], 0)
+
+    def test_the_same_bits_for_any_number_of_threads(self):
+        self.write_many()
+        surfaces = set()
+        for threads in ("1", "2", "7"):
+            self.run_tool("fit", "many.csv", "--tol", "1%", "--effort", "fast", "--threads", threads, "-o", f"s{threads}.csv")
+            surfaces.add((self.folder / f"s{threads}.csv").read_text())
+        self.assertEqual(len(surfaces), 1)
+
+
 class Report(ToolTest):
     MEMBERS = ["size", "control_points", "degree", "knots", "error", "correction", "between", "bound", "thin", "swings", "tolerance", "measured",
                "reached", "status", "message", "method", "condition", "noise", "fits", "least_squares",
-               "fill_points", "against_uniform", "against_error_model", "seconds", "peak_memory_bytes",
+               "fill_points", "sample", "against_uniform", "against_error_model", "seconds", "peak_memory_bytes",
                "input", "options", "columns", "columns_from", "notes", "outputs", "version"]
 
     def test_json_has_every_member(self):
