@@ -291,12 +291,12 @@ void add_search_rows(std::vector<OptionRow>& rows) {
   rows.push_back(
       {.names = "--engine",
        .value = one_of(kEngines),
-       .uses =
-           {{kFit, kKnots,
-             "What optimal knots are moved on: points (all of them), sample (some 20 000, and the worst of "
-             "all until "
-             "every point holds), auto (the sample where that is much less work; default). The verdict is "
-             "always on all points"}},
+       .uses = {{kFit, kKnots,
+                 "What the knots of optimal and error-model are found on: points (all of them), sample (some "
+                 "20 000; "
+                 "optimal knots let the worst of all join until every point holds), auto (the sample where "
+                 "that is "
+                 "much less work; default). The verdict is always on all points"}},
        .holds = named(&FitChoices::engine, kEngines),
        .stored = {
            .form = Form::text, .usual = std::string(name_of(kEngines, usual.engine)), .filled = true}});

@@ -15,7 +15,7 @@
 #include "knotfit/tolerance.h"
 namespace [[gnu::visibility("default")]] knotfit {
 
-/// What knots that minimise the error are moved on. The verdict is always on all points.
+/// What the fits are made on that place or move knots. The verdict is always on all points.
 enum class Engine {
   automatic,  ///< a sample where that is much less work
   points,     ///< all points
@@ -29,7 +29,7 @@ struct KnotOptions {
   FeatureMeasure feature = FeatureMeasure::hessian;  ///< of the criterion
   FeatureMap user_features;                          ///< used in place of `feature` where not empty
   long evaluations = 2000;                           ///< of the error, in an evolutionary search at one size
-  Engine engine = Engine::automatic;                 ///< of methods that move knots
+  Engine engine = Engine::automatic;                 ///< of methods that move knots or fit again and again
 };
 
 struct PlacementOptions : KnotOptions {
@@ -65,7 +65,8 @@ enum class MeshKnots {
 /// What others need to know of a method beside its knots.
 struct MethodTraits {
   bool moves_knots =
-      false;  ///< knots minimise the error itself, on scattered points whatever the data's layout
+      false;            ///< knots minimise the error itself, on scattered points whatever the data's layout
+  bool refits = false;  ///< fits again and again at one size: of many points, a sample will do [METHOD 6.4]
   bool needs_rows = false;  ///< points that are not in rows are gathered into rows first, which a note says
   MeshKnots on_mesh = MeshKnots::placed_once;
 };

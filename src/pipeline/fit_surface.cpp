@@ -9,7 +9,6 @@
 
 #include "base/deadline.h"
 #include "data/crowding.h"
-#include "data/sample.h"
 #include "fit/fit_problem.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/remedy.h"
@@ -142,10 +141,7 @@ void compare(FitResult& result, FitProblem& problem, const ParameterizedPoints& 
     return c;
   };
   result.against_uniform = measure({uniform_knots(options.interior_u), uniform_knots(options.interior_v)});
-  // Where the knots were moved on a sample, those of the error model come from one too.
-  const Placement model = result.sample > 0
-                              ? place_knots("error-model", stratified_sample(inside, result.sample), options)
-                              : place_knots("error-model", inside, options);
+  const Placement model = place_knots("error-model", inside, options);
   result.fits += model.fits + 2;
   result.against_error_model = measure(model.knots);
 }

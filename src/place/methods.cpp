@@ -27,7 +27,7 @@ constexpr std::array entries{
     Entry{{"error-model",
            "equal shares of the error that the present fit's derivatives predict, iterated",
            "de Boor, A Practical Guide to Splines (NEWNOT), carried to surfaces",
-           {.on_mesh = MeshKnots::anew}},
+           {.refits = true, .on_mesh = MeshKnots::anew}},
           place_error_model},
     Entry{{"criterion", "cells of equal feature content: sum of squared cell features by coordinate descent",
            "Zhang, Cao, Chen, Li, Zeng, Computers & Graphics 2016"},
@@ -143,14 +143,20 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
     placement.notes.insert(placement.notes.end(), context.notes().begin(), context.notes().end());
     return placement;
   };
-  if (!entry.method.traits.moves_knots)
-    return place_in(FitProblem(points, options.degree_u, options.degree_v, fit));
+  const MethodTraits& traits = entry.method.traits;
+  const auto place_on = [&](const ParameterizedPoints& p) {
+    return traits.moves_knots ? place_in(MovingFit(p, options.degree_u, options.degree_v, fit))
+                              : place_in(FitProblem(p, options.degree_u, options.degree_v, fit));
+  };
   const double control_points = static_cast<double>(options.interior_u + options.degree_u + 1) *
                                 static_cast<double>(options.interior_v + options.degree_v + 1);
-  const Index size = sample_size(points.size(), control_points, options.engine);
-  if (size == 0) return place_in(MovingFit(points, options.degree_u, options.degree_v, fit));
+  const Index size =
+      traits.moves_knots || traits.refits ? sample_size(points.size(), control_points, options.engine) : 0;
+  // Fits of a grid are quick, whatever its number of points; knots that move are fitted to scattered points anyway.
+  const bool quick = size > 0 && !traits.moves_knots && points.weights.empty() && !find_grid(points).empty();
+  if (size == 0 || quick) return place_on(points);
   const ParameterizedPoints sample = stratified_sample(points, size);
-  Placement placement = place_in(MovingFit(sample, options.degree_u, options.degree_v, fit));
+  Placement placement = place_on(sample);
   placement.sample = sample.size();
   return placement;
 }

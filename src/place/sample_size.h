@@ -3,7 +3,10 @@
 #include "knotfit/place.h"
 namespace knotfit {
 
-/// Points of the sample that knots are moved on; 0: on all of them.
+/// Points that knots of so many control points are placed or moved on, at least.
+double points_needed(double control_points);
+
+/// Points of the sample for them; 0: all points.
 /// \param control_points  expected of the surface
 Index sample_size(Index points, double control_points, Engine engine);
 

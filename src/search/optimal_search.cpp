@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "base/deadline.h"
-#include "data/sample.h"
 #include "fit/error_measure.h"
 #include "place/sample_size.h"
 #include "search/better_of.h"
 #include "search/optimized_sizes.h"
 #include "search/routes.h"
+#include "search/searched.h"
 #include "search/size_search.h"
 #include "search/worth.h"
 namespace knotfit {
@@ -27,28 +27,6 @@ constexpr Index kPlacedLeast = 400;       // control points that a last search w
 constexpr double kInsertionReach = 3;     // tolerances from which inserted lines may still come to it
 constexpr Index kLeastSampled = 8;        // points of a sample a control point
 constexpr double kFitsToOptimise = 2000;  // of the last sizes, for the estimate of the operations
-
-/// The points that knots are moved on: the data, or a sample of it.
-class Searched {
- public:
-  Searched(FitProblem& data, const RefineOptions& options, double control_points) : data_(data) {
-    const Index size = sample_size(data.points().size(), control_points, options.engine);
-    if (size == 0) return;
-    sample_ = stratified_sample(data.points(), size);
-    problem_.emplace(*sample_, options.degree_u, options.degree_v, search_fits(options));
-  }
-  Searched(const Searched&) = delete;  // the problem refers to the sample inside
-  Searched& operator=(const Searched&) = delete;
-
-  bool sampled() const { return sample_.has_value(); }
-  const ParameterizedPoints& points() const { return sample_ ? *sample_ : data_.points(); }
-  FitProblem& problem() { return problem_ ? *problem_ : data_; }
-
- private:
-  FitProblem& data_;
-  std::optional<ParameterizedPoints> sample_;
-  std::optional<FitProblem> problem_;
-};
 
 /// Searches with knots of the error model, and says why. Where they hold the tolerance at no size, inserts knot lines where the
 /// errors are.

@@ -9,18 +9,24 @@ constexpr double kRoundOperations = 3e10;  // of one size: large nets get fewer 
 
 }  // namespace
 
-PlacedSizes::PlacedSizes(FitProblem& problem, PlacementContext& context, Attempts& attempts,
-                         std::string_view method)
-    : problem_(problem), context_(context), attempts_(attempts), place_(find_method(method)) {
+PlacedSizes::PlacedSizes(FitProblem& problem, PlacementContext& context, PlacementContext* on_sample,
+                         const Searched& searched, Attempts& attempts, std::string_view method)
+    : problem_(problem),
+      context_(context),
+      on_sample_(on_sample),
+      searched_(searched),
+      attempts_(attempts),
+      place_(find_method(method)) {
   policy_.operations = kWalkOperations;
 }
 
 const SizeOutcome& PlacedSizes::solve(const Spans& spans, const Spans*) {
   if (const SizeOutcome* outcome = seen(spans)) return *outcome;
   const Index nu = spans.first + problem_.degree_u(), nv = spans.second + problem_.degree_v();
-  context_.options().rounds =
-      static_cast<int>(std::clamp(kRoundOperations / problem_.operations(nu, nv), 2.0, 12.0));
-  const Placement placement = place_(context_, spans.first - 1, spans.second - 1);
+  PlacementContext& context = on_sample_ && searched_.enough_for(nu * nv) ? *on_sample_ : context_;
+  context.options().rounds =
+      static_cast<int>(std::clamp(kRoundOperations / context.problem().operations(nu, nv), 2.0, 12.0));
+  const Placement placement = place_(context, spans.first - 1, spans.second - 1);
   SizeOutcome& outcome = outcomes_[spans];
   outcome.error = attempts_.fit(problem_, placement.knots);
   outcome.least_squares_error = problem_.measured(attempts_.tolerance());
