@@ -1,6 +1,7 @@
 // The size search with knots that minimise the error [METHOD 4.2], where that can pay [METHOD 4.5].
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -62,6 +63,7 @@ RefineResult search_all_points(FitProblem& data, const RefineOptions& options, R
                                const Attempts& attempts) {
   RefineOptions all = options;
   all.engine = Engine::points;
+  if (options.max_fits > 0) all.max_fits = std::max(1L, options.max_fits - sampled.fits);  // for both
   RefineResult result = search_optimal(data, all, after(sampled, attempts.time_left()));
   result.notes.push_back(fmt::format(
       "no size held the tolerance on a sample of {} points; all of them were searched then", sampled.sample));
