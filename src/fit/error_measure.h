@@ -10,8 +10,9 @@ namespace knotfit {
 
 struct ErrorMeasureRow {
   ErrorMeasure measure;
-  std::string_view name;  ///< in reports, and as users write it; one that needs a share is written by that, "99.5%"
-  bool needs_share;       ///< Tolerance::share means something
+  std::string_view
+      name;  ///< in reports, and as users write it; one that needs a share is written by that, "99.5%"
+  bool needs_share;  ///< Tolerance::share means something
   /// \param errors  not empty
   double (*of_errors)(const std::vector<double>& errors, double share);
   /// From the RMS and the maximum of a fit alone; null: every error is needed.
