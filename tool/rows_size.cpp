@@ -292,11 +292,9 @@ void add_search_rows(std::vector<OptionRow>& rows) {
       {.names = "--engine",
        .value = one_of(kEngines),
        .uses = {{kFit, kKnots,
-                 "What the knots of optimal and error-model are found on: points (all of them), sample (some "
-                 "20 000; "
+                 "What the knots of optimal and error-model are found on: points (all), sample (some 20 000; "
                  "optimal knots let the worst of all join until every point holds), auto (the sample where "
-                 "that is "
-                 "much less work; default). The verdict is always on all points"}},
+                 "that is much less work; default). The verdict is always on all points"}},
        .holds = named(&FitChoices::engine, kEngines),
        .stored = {
            .form = Form::text, .usual = std::string(name_of(kEngines, usual.engine)), .filled = true}});

@@ -19,7 +19,8 @@ class DataEnergy;
 
 namespace [[gnu::visibility("default")]] knotfit {
 
-/// \param scale  > 0, errors of this size are all the same: the tolerance
+/// \param scale    > 0, errors of this size are all the same: the tolerance
+/// \param indexed  of these points, where they were indexed already; null: indexed here
 /// \throws InvalidInput  points invalid, scale not positive and finite
 std::shared_ptr<const DataEnergy> make_data_energy(const ParameterizedPoints& points, double scale,
                                                    std::shared_ptr<const IndexedPoints> indexed = {});

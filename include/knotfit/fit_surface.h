@@ -67,7 +67,7 @@ struct FitResult {
   Effort effort = Effort::balanced;
   bool least_squares = true;  ///< false: the control points minimise the maximum, or hold fill points too
   Index fill_points = 0;      ///< places between the data that the search held the surface at
-  Index sample = 0;           ///< points of the sample that the knots were moved on; 0: all
+  Index sample = 0;           ///< points of the sample that the knots were placed or moved on; 0: all
   Comparison against_uniform, against_error_model;  ///< what optimised knots saved; of "optimal" alone
   double criterion = 0;                             ///< E(U,V), where the method has one
   std::vector<SizeTried> tried;

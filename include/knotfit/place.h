@@ -50,7 +50,7 @@ struct Placement {
   double criterion = 0;              ///< E(U,V) reached (sum of squared shares); 0 where a method has none
   double criterion_start = 0;        ///< E(U,V) of its start
   long fits = 0;                     ///< linear fits made
-  Index sample = 0;                  ///< points of the sample that the knots were moved on; 0: all
+  Index sample = 0;                  ///< points of the sample that the knots were placed or moved on; 0: all
   std::vector<std::string> notes{};  ///< what a user should know, a sentence each
 };
 

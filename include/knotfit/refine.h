@@ -94,16 +94,17 @@ struct RefineResult {
   bool holds = false;              ///< the best surface holds the tolerance and does not swing
   bool swings = false;             ///< the best surface does: none was found that does not
   Index fill_points = 0;           ///< places between the data that the surface was held at
-  Index sample = 0;                ///< points of the sample that its knots were moved on; 0: all
+  Index sample = 0;                ///< points of the sample that its knots were placed or moved on; 0: all
   std::vector<std::string> notes;  ///< what a user should know of the search, a sentence each
 };
 
 /// The scale of make_data_energy() for a tolerance: three times one in root mean square, else itself.
 double energy_scale(const Tolerance& tolerance);
 /// The energy for a surface that misses the tolerance: its scale is that surface's error, but at least the tolerance's
-/// [METHOD 5.1]. \param error  >= 0, in the points' unit \throws InvalidInput  as make_data_energy()
+/// [METHOD 5.1]. \param error  >= 0, in the points' unit \param indexed  as make_data_energy()
+/// \throws InvalidInput  as make_data_energy()
 std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, const Tolerance& tolerance,
-                                             double error);
+                                             double error, std::shared_ptr<const IndexedPoints> indexed = {});
 
 /// \throws InvalidInput  tolerance <= 0 or not finite, a span ratio that is negative or not finite, or below rounding of the data; unknown method
 RefineResult refine_to_tolerance(const ParameterizedPoints& points, const RefineOptions& options,

@@ -1,9 +1,11 @@
 // parallel_for on plain threads, for builds with the thread sanitizer: it does not see what a TBB that was built without
 // it waits for, and reports every task. Nested calls run where they are.
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "base/parallel.h"
 #include "knotfit/threads.h"
@@ -31,13 +33,15 @@ void parallel_for(Index n, const std::function<void(Index)>& body) {
   std::mutex failing;
   const auto work = [&] {
     inside = true;
-    for (Index i = next++; i < n; i = next++) try {
+    for (Index i = next++; i < n; i = next++) {
+      try {
         body(i);
       } catch (...) {
         const std::lock_guard lock(failing);
         if (!failure) failure = std::current_exception();
         next = n;
       }
+    }
     inside = false;
   };
   {

@@ -6,6 +6,8 @@
 
 #include "base/counting_sort.h"
 #include "base/narrow.h"
+#include "base/uniform_cell.h"
+#include "data/thinned.h"
 namespace knotfit {
 namespace {
 
@@ -28,11 +30,9 @@ struct Cells {
 
   Cells(const ParameterizedPoints& points, Index side) {
     std::vector<std::int32_t> cell(points.size());
-    const auto at = [&](double x) {
-      return std::min(side - 1, static_cast<Index>(x * static_cast<double>(side)));
-    };
     for (Index k = 0; k < points.size(); ++k)
-      cell[k] = static_cast<std::int32_t>(at(points.u(k)) * side + at(points.v(k)));
+      cell[k] =
+          static_cast<std::int32_t>(uniform_cell(points.u(k), side) * side + uniform_cell(points.v(k), side));
     start = counting_sort(cell, side * side, order);
   }
   Index size() const { return static_cast<Index>(start.size()) - 1; }
@@ -86,22 +86,11 @@ ParameterizedPoints stratified_sample(const ParameterizedPoints& points, Index m
       weights.push_back(points.weight(*k) * whole / part);
     }
   }
-  double sum = 0;
-  for (Index k = 0; k < all; ++k) sum += points.weight(k);
-  const double mean = sum / static_cast<double>(all),
-               mean_taken = sum / static_cast<double>(taken.size());  // the weights so far add up to all
-  for (double& w : weights) w *= mean / mean_taken;
-  ParameterizedPoints sample;
-  sample.dimension = points.dimension;
-  sample.height_field = points.height_field;
-  sample.map = points.map;
+  // The weights so far add up to those of all points.
+  const double share = static_cast<double>(taken.size()) / static_cast<double>(all);
+  for (double& w : weights) w *= share;
+  ParameterizedPoints sample = picked(points, taken);
   sample.weights = std::move(weights);
-  sample.uv.reserve(2 * taken.size());
-  sample.values.reserve(points.dimension * taken.size());
-  for (Index k : taken) {
-    sample.uv.insert(sample.uv.end(), {points.u(k), points.v(k)});
-    sample.values.insert(sample.values.end(), points.value(k), points.value(k) + points.dimension);
-  }
   return sample;
 }
 

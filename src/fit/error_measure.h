@@ -10,8 +10,8 @@ namespace knotfit {
 
 struct ErrorMeasureRow {
   ErrorMeasure measure;
-  std::string_view
-      name;  ///< in reports, and as users write it; one that needs a share is written by that, "99.5%"
+  /// In reports, and as users write it; one that needs a share is written by that, "99.5%".
+  std::string_view name;
   bool needs_share;  ///< Tolerance::share means something
   /// \param errors  not empty
   double (*of_errors)(const std::vector<double>& errors, double share);

@@ -10,6 +10,10 @@
 #include "solve/smoothing_floor.h"
 namespace knotfit {
 
+GridLayout fitted_grid(const ParameterizedPoints& points) {
+  return points.weights.empty() ? find_grid(points) : GridLayout{};
+}
+
 FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degree_v,
                        const LeastSquaresOptions& options)
     : points_(points),
@@ -23,8 +27,8 @@ FitProblem::FitProblem(const ParameterizedPoints& points, int degree_u, int degr
   most_u_ = most_v_ = points.size();
   if (!(options.smoothing >= 0) || !std::isfinite(options.smoothing))
     throw InvalidInput("the smoothing floor must be finite and at least 0");
-  if (options.use_grid && points.weights.empty())
-    if (GridLayout grid = find_grid(points); !grid.empty()) {
+  if (options.use_grid)
+    if (GridLayout grid = fitted_grid(points); !grid.empty()) {
       on_grid_ = true;
       most_u_ = static_cast<Index>(grid.u.size());
       most_v_ = static_cast<Index>(grid.v.size());

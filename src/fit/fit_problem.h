@@ -9,6 +9,9 @@
 #include "solve/normal_system.h"
 namespace knotfit {
 
+/// The grid that fits of these points take: that of find_grid(), and none where points have weights.
+GridLayout fitted_grid(const ParameterizedPoints& points);
+
 /// Control points and errors of knots given. Knots that move need a MovingFit.
 class FitProblem {
  public:
@@ -47,7 +50,9 @@ class FitProblem {
   int degree_u() const { return degree_u_; }
   int degree_v() const { return degree_v_; }
   bool on_grid() const { return on_grid_; }
-  Index counted() const { return counted_; }  ///< points that the errors and their sums are of, the first ones
+  Index counted() const {
+    return counted_;
+  }  ///< points that the errors and their sums are of, the first ones
   Index control_points() const { return u_.functions() * v_.functions(); }
   long fits() const { return fits_; }
   /// Most functions that the data can tell apart in a direction: grid lines, or points.

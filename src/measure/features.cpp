@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "base/parallel.h"
+#include "base/uniform_cell.h"
 #include "knotfit/evaluate.h"
 #include "knotfit/exceptions.h"
 namespace knotfit {
@@ -48,10 +49,7 @@ FeatureMap averaged(const ParameterizedPoints& points, const std::vector<double>
     if (!(values[k] >= 0) || !std::isfinite(values[k]))
       throw InvalidInput(
           fmt::format("the feature value of point {} is {}: it must be finite and at least 0", k, values[k]));
-    auto cell = [&](double t) {
-      return std::min(size - 1, static_cast<Index>(t * static_cast<double>(size)));
-    };
-    const Index c = cell(points.u(k)) * size + cell(points.v(k));
+    const Index c = uniform_cell(points.u(k), size) * size + uniform_cell(points.v(k), size);
     map.f[c] += values[k];
     ++count[c];
   }

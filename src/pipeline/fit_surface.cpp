@@ -185,9 +185,9 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
   note_duplicates(*indexed, result.notes);
   const double crowded = points.dimension == 3 && !points.height_field ? crowded_share(*indexed) : 0;
   Keeping keeping;
-  keeping.sites = std::make_shared<const verify::SwingSites>(inside, verify::kSearchPlaces, 1, indexed);
+  keeping.sites = std::make_shared<const verify::SwingSites>(inside, verify::kSearchPlaces, indexed);
   if (request.searched) {
-    const double noise = verify::find_noise(indexed->distinct, indexed->neighbours, 1);
+    const double noise = verify::find_noise(*indexed);
     if (noise > 0.02 * tolerance.value) result.noise = noise * frame.scale();
     keeping.energy = make_data_energy(inside, energy_scale(tolerance), indexed);
   }
@@ -198,7 +198,7 @@ FitResult fit_surface(const ParameterizedPoints& points, const FitOptions& optio
       !fitted->problem->on_grid()) {
     // A size or knots of the user's, whose least squares swing: the same held to the data by its energy, for errors of the
     // size that it leaves.
-    keeping.energy = own_energy(inside, tolerance, fitted->problem->rms());
+    keeping.energy = own_energy(inside, tolerance, fitted->problem->rms(), indexed);
     auto held = std::make_unique<Fitted>(inside, options, tolerance, 0.0, keeping, deadline.left(control));
     held->chosen.fits += fitted->chosen.fits + fitted->problem->fits();
     if (held->solved && held->swings.largest < fitted->swings.largest) {

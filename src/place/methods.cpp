@@ -153,7 +153,7 @@ Placement place_knots(std::string_view method, const ParameterizedPoints& points
   const Index size =
       traits.moves_knots || traits.refits ? sample_size(points.size(), control_points, options.engine) : 0;
   // Fits of a grid are quick, whatever its number of points; knots that move are fitted to scattered points anyway.
-  const bool quick = size > 0 && !traits.moves_knots && points.weights.empty() && !find_grid(points).empty();
+  const bool quick = size > 0 && !traits.moves_knots && !fitted_grid(points).empty();
   if (size == 0 || quick) return place_on(points);
   const ParameterizedPoints sample = stratified_sample(points, size);
   Placement placement = place_on(sample);

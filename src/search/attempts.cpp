@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "fit/moving_fit.h"
 #include "search/routes.h"
@@ -119,17 +118,12 @@ bool Attempts::mend(const FitProblem& problem, const verify::SwingSites::Strays&
   if (mends_ == kMostMends) return false;
   ++mends_;
   verify::SwingSites::Strays strays = first;
-  ParameterizedPoints points = problem.points();
-  points.source.clear();
-  const double weight = points.weights.empty()
-                            ? 1
-                            : std::accumulate(points.weights.begin(), points.weights.end(), 0.0) /
-                                  static_cast<double>(points.size());
+  JoinedPoints joined(problem.points());
   for (int round = 0; round < kMendRounds && !strays.uv.empty() && !stopped(); ++round) {
-    points.uv.insert(points.uv.end(), strays.uv.begin(), strays.uv.end());
-    points.values.insert(points.values.end(), strays.values.begin(), strays.values.end());
-    if (!points.weights.empty()) points.weights.resize(points.uv.size() / 2, weight);
-    MovingFit held(points, problem.degree_u(), problem.degree_v(), search_fits(options_));
+    for (std::size_t k = 0; 2 * k < strays.uv.size(); ++k)
+      joined.join(strays.uv[2 * k], strays.uv[2 * k + 1],
+                  strays.values.data() + k * static_cast<std::size_t>(problem.points().dimension), 1, 1);
+    MovingFit held(joined.points(), problem.degree_u(), problem.degree_v(), search_fits(options_));
     held.count_first(problem.counted());
     ++mend_fits_;
     if (!held.solve(problem.knots())) return false;

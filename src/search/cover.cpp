@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/uniform_cell.h"
 namespace knotfit {
 namespace {
 
@@ -69,12 +70,11 @@ std::vector<std::array<double, 2>> cover_gaps(const Neighbours& points, double r
   });
 
   const Index bins = std::max<Index>(1, static_cast<Index>(1 / reach));
-  auto bin = [&](double x) { return std::min(bins - 1, static_cast<Index>(x * static_cast<double>(bins))); };
   std::vector<std::vector<Index>> taken(bins * bins);
   std::vector<std::array<double, 2>> places;
   for (const Node& node : nodes) {
     const double distance = node.border ? border_reach : reach;
-    const Index a = bin(node.u), b = bin(node.v);
+    const Index a = uniform_cell(node.u, bins), b = uniform_cell(node.v, bins);
     bool covered = false;
     for (Index x = std::max<Index>(0, a - 1); x <= std::min(bins - 1, a + 1) && !covered; ++x)
       for (Index y = std::max<Index>(0, b - 1); y <= std::min(bins - 1, b + 1) && !covered; ++y)

@@ -13,8 +13,8 @@ constexpr double kMostOperations = 1e10;  // of a fit, about a second: larger ne
 }  // namespace
 
 std::shared_ptr<const DataEnergy> own_energy(const ParameterizedPoints& points, const Tolerance& tolerance,
-                                             double error) {
-  return make_data_energy(points, std::max(error, energy_scale(tolerance)));
+                                             double error, std::shared_ptr<const IndexedPoints> indexed) {
+  return make_data_energy(points, std::max(error, energy_scale(tolerance)), std::move(indexed));
 }
 
 double energy_scale(const Tolerance& tolerance) {
@@ -37,7 +37,7 @@ void hold(RefineResult& result, const ParameterizedPoints& points, const RefineO
     if (operations > kMostOperations || cut() || !problem.solve(knots)) continue;
     for (const double times : {1.0, 4.0}) {
       if (cut()) return;
-      fit.energy = own_energy(points, options.tolerance, times * problem.rms());
+      fit.energy = own_energy(points, options.tolerance, times * problem.rms(), options.sites->indexed());
       FitProblem held(points, options.degree_u, options.degree_v, fit);
       result.fits += 1;
       if (!held.solve(knots)) continue;

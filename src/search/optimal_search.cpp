@@ -11,7 +11,7 @@
 #include "search/better_of.h"
 #include "search/optimized_sizes.h"
 #include "search/routes.h"
-#include "search/searched.h"
+#include "search/searched_points.h"
 #include "search/size_search.h"
 #include "search/worth.h"
 namespace knotfit {
@@ -91,7 +91,11 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   const LeastSquaresOptions fit = search_fits(options);
   Attempts attempts(data, options, control, kFits[effort]);
   attempts.set_stage("features");
-  Searched probe(data, options, 0);
+  const auto sampled_for = [&](double control_points) {
+    return sample_size(data.points().size(), control_points, options.engine);
+  };
+  SearchedPoints probe(data, options, sampled_for(0));
+  if (probe.sampled()) attempts.count(probe.problem());
   PlacementContext plain(probe.problem(), placement_options(options), control);
   const FineModel fine = plain.fine_model();
   KnotWorth worth;
@@ -102,7 +106,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
     // No search goes beyond half of the points.
     const double points = static_cast<double>(data.points().size());
     const double side = std::sqrt(std::min(worth.control_points, 0.5 * points));
-    const Index sample = sample_size(data.points().size(), side * side, options.engine);
+    const Index sample = sampled_for(side * side);
     operations = kFitsToOptimise *
                  ((sample > 0 ? static_cast<double>(sample) : points) * data.points().dimension * 190 +
                   9 * side * side * side * side);
@@ -122,7 +126,10 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
             "save about {:.0f} % against uniform ones)",
             worth.control_points, 100 * worth.saving));
 
-  const Searched searched(data, options, worth.control_points);
+  std::optional<SearchedPoints> more;
+  if (sampled_for(worth.control_points) != probe.asked())
+    more.emplace(data, options, sampled_for(worth.control_points));
+  const SearchedPoints& searched = more ? *more : probe;
   const ParameterizedPoints& points = searched.points();
   std::optional<WholeData> whole;
   if (searched.sampled()) {
@@ -160,7 +167,7 @@ RefineResult search_optimal(FitProblem& data, const RefineOptions& options, cons
   const Status unmet = search_sizes(data, fine, solver, attempts, plateau, first);
   RefineResult result = attempts.finish(unmet);
   result.metric = fine.knots;
-  if (joined) result.least_squares = false;  // not of the data alone
+  if (guard || whole) result.least_squares = false;  // not of the data alone
   if (whole) result.sample = points.size();
   if (guard) result.fill_points = guard->fill_count();
   if (whole && !result.holds && result.status != Status::tolerance_below_noise && !attempts.stopped())

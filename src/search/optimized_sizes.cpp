@@ -183,10 +183,10 @@ void OptimizedSizes::take_new_points() {
 bool OptimizedSizes::exchange() {
   if (guard_ && guard_->exchange(problem_) > 0) return true;
   if (!whole_) return false;
-  const double sampled = problem_.measured(options_.tolerance);
-  const double all = whole_->measure(problem_).measured(options_.tolerance);
+  const FitProblem& all = whole_->measure(problem_);
   if (to_maximum_) return whole_->join_worst(*joined_) > 0;
-  if (sampled > 0) whole_over_sample_ = all / sampled;
+  const double sampled = problem_.measured(options_.tolerance);
+  if (sampled > 0) whole_over_sample_ = all.measured(options_.tolerance) / sampled;
   return false;
 }
 

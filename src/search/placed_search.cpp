@@ -3,7 +3,7 @@
 #include "search/better_of.h"
 #include "search/placed_sizes.h"
 #include "search/routes.h"
-#include "search/searched.h"
+#include "search/searched_points.h"
 #include "search/size_search.h"
 namespace knotfit {
 namespace {
@@ -13,24 +13,23 @@ constexpr long kMostFits = 3000;
 RefineResult search_with(FitProblem& data, const RefineOptions& options, const Control& control) {
   Attempts attempts(data, options, control, kMostFits);
   // Fits of a grid are quick, whatever its number of points.
-  RefineOptions engine = options;
-  if (data.on_grid() || !placement_method(options.method).traits.refits) engine.engine = Engine::points;
-  Searched searched(data, engine, 0);
-  PlacementContext context(data, placement_options(options), control),
-      on_sample(searched.problem(), placement_options(options), control);
+  const bool sampling = !data.on_grid() && placement_method(options.method).traits.refits;
+  SearchedPoints searched(data, options, sampling ? sample_size(data.points().size(), 0, options.engine) : 0);
+  PlacementContext context(searched.problem(), placement_options(options), control),
+      on_all(data, placement_options(options), control);
   if (searched.sampled()) attempts.count(searched.problem());
   NoisePlateau plateau(options.noise, data.points().size(), data.points().dimension);
   attempts.set_stage("features");
-  const FineModel& fine = on_sample.fine_model();
-  context.set_fine_model(fine);
-  PlacedSizes solver(data, context, searched.sampled() ? &on_sample : nullptr, searched, attempts,
-                     options.method);
+  const FineModel& fine = context.fine_model();
+  on_all.set_fine_model(fine);
+  PlacedSizes solver(data, searched, context, on_all, attempts, options.method);
   const Status unmet = search_sizes(data, fine, solver, attempts, plateau);
   RefineResult result = attempts.finish(unmet);
   result.metric = fine.knots;
   if (searched.sampled() && searched.enough_for(result.surface.control_point_count()))
     result.sample = searched.points().size();
-  result.notes.insert(result.notes.end(), context.notes().begin(), context.notes().end());
+  for (const PlacementContext* c : {&context, &on_all})
+    result.notes.insert(result.notes.end(), c->notes().begin(), c->notes().end());
   return result;
 }
 

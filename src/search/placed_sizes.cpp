@@ -9,12 +9,12 @@ constexpr double kRoundOperations = 3e10;  // of one size: large nets get fewer 
 
 }  // namespace
 
-PlacedSizes::PlacedSizes(FitProblem& problem, PlacementContext& context, PlacementContext* on_sample,
-                         const Searched& searched, Attempts& attempts, std::string_view method)
+PlacedSizes::PlacedSizes(FitProblem& problem, const SearchedPoints& searched, PlacementContext& context,
+                         PlacementContext& on_all, Attempts& attempts, std::string_view method)
     : problem_(problem),
-      context_(context),
-      on_sample_(on_sample),
       searched_(searched),
+      context_(context),
+      on_all_(on_all),
       attempts_(attempts),
       place_(find_method(method)) {
   policy_.operations = kWalkOperations;
@@ -23,7 +23,7 @@ PlacedSizes::PlacedSizes(FitProblem& problem, PlacementContext& context, Placeme
 const SizeOutcome& PlacedSizes::solve(const Spans& spans, const Spans*) {
   if (const SizeOutcome* outcome = seen(spans)) return *outcome;
   const Index nu = spans.first + problem_.degree_u(), nv = spans.second + problem_.degree_v();
-  PlacementContext& context = on_sample_ && searched_.enough_for(nu * nv) ? *on_sample_ : context_;
+  PlacementContext& context = searched_.enough_for(nu * nv) ? context_ : on_all_;
   context.options().rounds =
       static_cast<int>(std::clamp(kRoundOperations / context.problem().operations(nu, nv), 2.0, 12.0));
   const Placement placement = place_(context, spans.first - 1, spans.second - 1);

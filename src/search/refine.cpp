@@ -38,8 +38,9 @@ RefineResult refine_to_tolerance(const ParameterizedPoints& points, const Refine
                     options.max_control_points, minimum, options.degree_u, options.degree_v));
   const PlacementMethod& method = placement_method(options.method);
   RefineOptions whole = options;
-  if (!whole.energy) whole.energy = make_data_energy(points, energy_scale(options.tolerance));
   if (!whole.sites) whole.sites = std::make_shared<verify::SwingSites>(points, verify::kSearchPlaces);
+  if (!whole.energy)
+    whole.energy = make_data_energy(points, energy_scale(options.tolerance), whole.sites->indexed());
   LeastSquaresOptions fit = search_fits(whole);
   fit.use_grid = true;
   FitProblem problem(points, options.degree_u, options.degree_v, fit);

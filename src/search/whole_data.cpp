@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <vector>
+
+#include "base/uniform_cell.h"
 namespace knotfit {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr Index kMost = 300;  // points that join at once
 }  // namespace
 
 const FitProblem& WholeData::measure(const FitProblem& sampled) {
+  if (all_.knots() == sampled.knots() && all_.net() == sampled.net()) return all_;
   all_.evaluate(sampled.knots(), sampled.net());
   return all_;
 }
@@ -19,12 +22,9 @@ Index WholeData::join_worst(JoinedPoints& joined) const {
   const ParameterizedPoints& points = all_.points();
   const std::vector<double> errors = all_.errors();
   std::vector<Index> worst(kCells * kCells, -1);
-  const auto cell = [](double x) {
-    return std::min(kCells - 1, static_cast<Index>(x * static_cast<double>(kCells)));
-  };
   for (Index k = 0; k < points.size(); ++k) {
     if (errors[k] <= tolerance_.value) continue;
-    Index& w = worst[cell(points.u(k)) * kCells + cell(points.v(k))];
+    Index& w = worst[uniform_cell(points.u(k), kCells) * kCells + uniform_cell(points.v(k), kCells)];
     if (w < 0 || errors[k] > errors[w]) w = k;
   }
   std::erase(worst, -1);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "data/distinct_points.h"
-#include "data/neighbours.h"
+#include "data/indexed_points.h"
 #include "verify/kriging.h"
 namespace knotfit::verify {
 
@@ -62,7 +62,6 @@ ReferenceValue reference_value(StencilGatherer& gatherer, double x, double y, do
 ReferenceValue combine(ReferenceValue plain, const ReferenceValue& mapped);
 
 /// Noise by the median over `stencils` random points; 0 where there are too few points to tell.
-double find_noise(const DistinctPoints& points, const Neighbours& neighbours, unsigned long long seed,
-                  Index stencils = 100);
+double find_noise(const IndexedPoints& points, unsigned long long seed = 1, Index stencils = 100);
 
 }  // namespace knotfit::verify

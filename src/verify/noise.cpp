@@ -10,8 +10,8 @@
 namespace knotfit {
 namespace verify {
 
-double find_noise(const DistinctPoints& points, const Neighbours& neighbours, unsigned long long seed,
-                  Index stencils) {
+double find_noise(const IndexedPoints& indexed, unsigned long long seed, Index stencils) {
+  const DistinctPoints& points = indexed.distinct;
   if (points.size() < shape_for({1, 30}, 30).points) return 0;
   Random random(seed, Random::Stream::noise);
   std::vector<Index> centre(static_cast<std::size_t>(stencils));
@@ -20,7 +20,7 @@ double find_noise(const DistinctPoints& points, const Neighbours& neighbours, un
   parallel_chunks(
       stencils,
       [&](Index, Index begin, Index end) {
-        StencilGatherer gatherer(points, neighbours, kMappedShape);
+        StencilGatherer gatherer(points, indexed.neighbours, kMappedShape);
         for (Index i = begin; i < end; ++i)
           if (gatherer.gather(points.u[centre[i]], points.v[centre[i]]) > 0)
             found[i] = gatherer.scale() > 0 ? gatherer.scale() * gatherer.kriging().likely_noise() : 0;
@@ -34,8 +34,7 @@ double find_noise(const DistinctPoints& points, const Neighbours& neighbours, un
 
 double estimate_noise(const ParameterizedPoints& points, unsigned long long seed) {
   validate(points);
-  const DistinctPoints distinct = distinct_points(points);
-  return verify::find_noise(distinct, plain_neighbours(distinct), seed);
+  return verify::find_noise(IndexedPoints(points), seed);
 }
 
 double estimate_noise(const CurvePoints& points) {

@@ -41,7 +41,7 @@ ReferenceField::ReferenceField(const ParameterizedPoints& points, double toleran
       xi_(metric_u, net_scale(std::max(metric_u.size(), metric_v.size()))),
       eta_(metric_v, net_scale(std::max(metric_u.size(), metric_v.size()))),
       two_metrics_(!metric_u.empty() || !metric_v.empty()) {
-  const double found = find_noise(points_, plain_, seed);
+  const double found = find_noise(*indexed_, seed);
   if (found > kNoise * tolerance) noise_ = found;
 }
 

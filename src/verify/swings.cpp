@@ -49,8 +49,8 @@ struct SwingSites::Sites {
   }
 };
 
-SwingSites::SwingSites(const ParameterizedPoints& points, Index most_places, unsigned long long seed,
-                       std::shared_ptr<const IndexedPoints> indexed)
+SwingSites::SwingSites(const ParameterizedPoints& points, Index most_places,
+                       std::shared_ptr<const IndexedPoints> indexed, unsigned long long seed)
     : points_(points),
       indexed_(indexed_or(std::move(indexed), points)),
       distinct_(indexed_->distinct),

@@ -15,8 +15,11 @@ class SwingSites {
   /// \param points       outlive the sites
   /// \param most_places  about so many inside triangles
   /// \param indexed      the points, where they are; null: made here
-  SwingSites(const ParameterizedPoints& points, Index most_places, unsigned long long seed = 1,
-             std::shared_ptr<const IndexedPoints> indexed = {});
+  SwingSites(const ParameterizedPoints& points, Index most_places,
+             std::shared_ptr<const IndexedPoints> indexed = {}, unsigned long long seed = 1);
+
+  /// The points, for others that look about a place.
+  const std::shared_ptr<const IndexedPoints>& indexed() const { return indexed_; }
 
   /// \param errors     n, |S - P| of every point
   /// \param tolerance  > 0: swings are in units of the larger of it and the largest error of the 8 nearest points

@@ -5,6 +5,7 @@
 #include "data/mesh_topology.h"
 #include "knotfit/exceptions.h"
 #include "meshes.h"
+#include "repaired.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
@@ -14,15 +15,6 @@ double area(const Mesh& mesh) {
   double sum = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) sum += face_area(mesh, f);
   return sum;
-}
-
-/// What came from the mesh is where it was.
-void expect_same_places(const Mesh& before, const RepairedMesh& after) {
-  ASSERT_EQ(static_cast<Index>(after.kept.size()), after.mesh.vertex_count());
-  for (Index k = 0; k < after.mesh.vertex_count(); ++k) {
-    if (after.kept[k] < 0) continue;
-    for (int d = 0; d < 3; ++d) EXPECT_EQ(after.mesh.vertex(k)[d], before.vertex(after.kept[k])[d]);
-  }
 }
 
 TEST(MeshRepair, NeedlesAreClosedByMergingTheirVertices) {

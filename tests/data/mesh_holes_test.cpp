@@ -3,17 +3,9 @@
 #include <algorithm>
 
 #include "meshes.h"
+#include "repaired.h"
 namespace knotfit::test {
 namespace {
-
-/// What came from the mesh is where it was.
-void expect_same_places(const Mesh& before, const RepairedMesh& after) {
-  ASSERT_EQ(static_cast<Index>(after.kept.size()), after.mesh.vertex_count());
-  for (Index k = 0; k < after.mesh.vertex_count(); ++k) {
-    if (after.kept[k] < 0) continue;
-    for (int d = 0; d < 3; ++d) EXPECT_EQ(after.mesh.vertex(k)[d], before.vertex(after.kept[k])[d]);
-  }
-}
 
 TEST(MeshRepair, FilledHolesMakeADiskOfVirtualFaces) {
   const Mesh mesh = with_hole(sheet(9, 9), 9, {{2, 2}, {6, 6}, {6, 7}});

@@ -5,19 +5,11 @@
 #include "data/mesh_topology.h"
 #include "knotfit/exceptions.h"
 #include "meshes.h"
+#include "repaired.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
-
-/// What came from the mesh is where it was.
-void expect_same_places(const Mesh& before, const RepairedMesh& after) {
-  ASSERT_EQ(static_cast<Index>(after.kept.size()), after.mesh.vertex_count());
-  for (Index k = 0; k < after.mesh.vertex_count(); ++k) {
-    if (after.kept[k] < 0) continue;
-    for (int d = 0; d < 3; ++d) EXPECT_EQ(after.mesh.vertex(k)[d], before.vertex(after.kept[k])[d]);
-  }
-}
 
 TEST(MeshRepair, NothingAskedChangesNothing) {
   const Mesh mesh = sheet(3, 2);

@@ -45,5 +45,16 @@ TEST(Thinned, NeverMoreThanAskedFor) {
     }
 }
 
+TEST(Picked, AreThePointsOfTheseIndicesInTheirOrder) {
+  const ParameterizedPoints points = row(10);
+  const std::vector<Index> index{7, 2};
+  const ParameterizedPoints few = picked(points, index);
+  EXPECT_EQ(few.uv, (std::vector<double>{0.7, 0.5, 0.2, 0.5}));
+  EXPECT_EQ(few.values, (std::vector<double>{7, -7, 2, -2}));
+  EXPECT_EQ(few.weights, (std::vector<double>{8, 3}));
+  EXPECT_EQ(few.map, points.map);
+  EXPECT_TRUE(few.source.empty());
+}
+
 }  // namespace
 }  // namespace knotfit::test

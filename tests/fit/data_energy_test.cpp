@@ -15,12 +15,6 @@
 namespace knotfit::test {
 namespace {
 
-ParameterizedPoints uneven_points(Index n, unsigned seed) {
-  ParameterizedPoints points = synthetic_points("ridge", n, seed);
-  for (std::size_t i = 0; i < points.uv.size(); i += 2) points.uv[i] = points.uv[i] * points.uv[i];
-  return points;
-}
-
 TEST(DataEnergy, SameBitsForAnyNumberOfThreads) {
   const ParameterizedPoints points = uneven_points(5000, 2);
   const auto [one, two] = on_one_and_two_threads([&] {

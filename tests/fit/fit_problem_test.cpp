@@ -92,5 +92,19 @@ TEST(FitProblem, OperationsGrowWithPointsAndFunctions) {
   EXPECT_EQ(a.operations(10, 20), a.operations(20, 10));  // the band runs along the longer direction
 }
 
+TEST(FittedGrid, IsThatOfThePointsAndNoneWhereTheyHaveWeights) {
+  ParameterizedPoints points;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 5; ++j) {
+      points.uv.insert(points.uv.end(), {i / 5.0, j / 4.0});
+      points.values.push_back(i * j);
+    }
+  EXPECT_EQ(fitted_grid(points).u.size(), 6u);
+  EXPECT_TRUE(FitProblem(points, 3, 3).on_grid());
+  points.weights.assign(30, 1);
+  EXPECT_TRUE(fitted_grid(points).empty());
+  EXPECT_FALSE(FitProblem(points, 3, 3).on_grid());
+}
+
 }  // namespace
 }  // namespace knotfit::test

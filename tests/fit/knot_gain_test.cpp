@@ -6,26 +6,16 @@
 
 #include "fit/moving_fit.h"
 #include "solve/banded_system.h"
+#include "support/plain_fits.h"
 #include "support/synthetic.h"
 namespace knotfit::test {
 namespace {
-
-LeastSquaresOptions without_floor() {
-  LeastSquaresOptions options;
-  options.smoothing = 0;
-  options.refinement_steps = 0;
-  options.use_grid = false;
-  options.estimate_condition = false;
-  return options;
-}
 
 TEST(KnotGain, RanksSpansAsFitsWithTheKnotDo) {
   // The gain looks at one function at a time, so it bounds nothing; but the span that a knot helps most must
   // be among its first.
   const ParameterizedPoints points = synthetic_points("franke", 4000);
-  LeastSquaresOptions options = without_floor();
-  options.smoothing = 1e-9;
-  MovingFit problem(points, 3, 3, options);
+  MovingFit problem(points, 3, 3, plain_fits());
   const InteriorKnots knots{{0.2, 0.4, 0.6, 0.8}, {0.25, 0.5, 0.75}};
   for (bool along_v : {false, true}) {
     problem.solve(knots);

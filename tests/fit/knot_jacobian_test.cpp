@@ -5,6 +5,7 @@
 
 #include "fit/moving_fit.h"
 #include "solve/banded_system.h"
+#include "support/plain_fits.h"
 #include "support/synthetic.h"
 namespace knotfit::test {
 namespace {
@@ -25,15 +26,6 @@ ParameterizedPoints sample(int dimension) {
   return points;
 }
 
-LeastSquaresOptions without_floor() {
-  LeastSquaresOptions options;
-  options.smoothing = 0;
-  options.refinement_steps = 0;
-  options.use_grid = false;
-  options.estimate_condition = false;
-  return options;
-}
-
 /// The knots with every copy of knot l (u first, then v) moved by h.
 InteriorKnots moved(InteriorKnots knots, std::size_t l, double h) {
   std::vector<double>& line = l < knots.u.size() ? knots.u : knots.v;
@@ -48,7 +40,7 @@ class KnotJacobianOf : public testing::TestWithParam<std::tuple<int, int, int>> 
 TEST_P(KnotJacobianOf, AgreesWithDifferences) {
   const auto [degree_u, degree_v, dimension] = GetParam();
   const ParameterizedPoints points = sample(dimension);
-  MovingFit problem(points, degree_u, degree_v, without_floor());
+  MovingFit problem(points, degree_u, degree_v, plain_fits(0));
   const InteriorKnots knots{{0.17, 0.31, 0.52, 0.7, 0.83}, {0.1, 0.4, 0.55, 0.75}};
   ASSERT_TRUE(problem.solve(knots));
   const KnotJacobian full = problem.jacobian(true);
@@ -87,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(DegreesAndDimensions, KnotJacobianOf,
 
 TEST(KnotJacobian, CopiesOfAMultipleKnotSumToItsDerivative) {
   const ParameterizedPoints points = sample(3);
-  MovingFit problem(points, 3, 4, without_floor());
+  MovingFit problem(points, 3, 4, plain_fits(0));
   const InteriorKnots knots{{0.17, 0.31, 0.31, 0.7}, {0.4, 0.4, 0.4, 0.75}};
   ASSERT_TRUE(problem.solve(knots));
   const KnotJacobian j = problem.jacobian();
@@ -107,7 +99,7 @@ TEST(KnotJacobian, CopiesOfAMultipleKnotSumToItsDerivative) {
 
 TEST(KnotJacobian, KaufmansLacksOnlyAPositiveTerm) {
   const ParameterizedPoints points = sample(2);
-  MovingFit problem(points, 3, 3, without_floor());
+  MovingFit problem(points, 3, 3, plain_fits(0));
   problem.solve({{0.2, 0.5, 0.8}, {0.3, 0.6}});
   const KnotJacobian kaufman = problem.jacobian(false);
   const KnotJacobian full = problem.jacobian(true);

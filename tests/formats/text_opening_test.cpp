@@ -1,27 +1,13 @@
 // What stands before the points of a text, and blocks of points.
 #include <algorithm>
 
-#include "support.h"
+#include "text_curves.h"
 namespace knotfit::test {
 namespace {
 
 using Doubles = std::vector<double>;
 using Lines = std::vector<Index>;
 using Words = std::vector<std::string>;
-
-SourceData curve(std::string_view text, const std::string& name = "a.dat", Index block = 0) {
-  ReadOptions options;
-  options.curve = options.places = true;
-  options.block = block;
-  return read(name, text, options);
-}
-
-void expect_note(const SourceData& data, const std::string& words) {
-  const bool there = std::any_of(data.notes.begin(), data.notes.end(), [&](const std::string& note) {
-    return note.find(words) != std::string::npos;
-  });
-  EXPECT_TRUE(there) << words << " in:" << ::testing::PrintToString(data.notes);
-}
 
 TEST(LeadingLines, TitlesAboveAHeaderAndUnitsUnderIt) {
   const SourceData data =

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "clouds.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize_cloud.h"
 #include "support/expect_throw.h"
@@ -9,31 +10,9 @@
 namespace knotfit::test {
 namespace {
 
-using Points = std::vector<double>;
-
-void expect_sound(const CloudMap& c) {
-  ASSERT_EQ(static_cast<Index>(c.map.uv.size()), 2 * c.mesh.vertex_count());
-  EXPECT_EQ(c.mesh.virtual_face.size(), c.mesh.faces.size());
-  for (const double x : c.map.uv) EXPECT_TRUE(x >= 0 && x <= 1);
-  EXPECT_EQ(c.map.quality.flipped, 0);
-  EXPECT_EQ(measure_map(c.mesh, c.map.uv).flipped, 0);
-}
-
-/// Part of a tube of this radius: angle from 0 to `turn`, height 0 to 3.
-Points tube(Random& random, int count, double radius, double turn) {
-  Points p;
-  for (int k = 0; k < count; ++k) {
-    const double a = turn * random.unit(), h = 3 * random.unit();
-    // Around the axis (0.6, 0, 0.8).
-    const double x = radius * std::cos(a), y = radius * std::sin(a);
-    p.insert(p.end(), {100 + 0.8 * x + 0.6 * h, -50 + y, -0.6 * x + 0.8 * h});
-  }
-  return p;
-}
-
 TEST(CloudGraph, FollowsACloudThatFolds) {
   Random random;
-  const Points p = tube(random, 4000, 1, 4.5);
+  const Points p = tilted_tube(random, 4000, 1, 4.5);
   const CloudMap c = parameterize_cloud(p);
   expect_sound(c);
   EXPECT_EQ(c.base, CloudBase::graph);

@@ -8,27 +8,12 @@
 #include <set>
 #include <string>
 
+#include "clouds.h"
 #include "knotfit/parameterize_cloud.h"
 #include "parameterize/cloud_neighbours.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
-
-using Points = std::vector<double>;
-
-/// A wave over a grid of columns x rows with these steps, turned by an angle, from some place on.
-Points grid(int columns, int rows, double dx, double dy, double angle = 0, double far = 0,
-            bool flat = false) {
-  Points p;
-  const double c = std::cos(angle), s = std::sin(angle), height = 0.15 * std::min(columns * dx, rows * dy);
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      const double x = i * dx, y = j * dy;
-      const double z = flat ? 0 : height * std::sin(3.0 * i / columns) * std::cos(2.0 * j / rows);
-      p.insert(p.end(), {far + c * x - s * y, far + s * x + c * y, z});
-    }
-  return p;
-}
 
 /// Lines around an axis: `points` a line over an arc, `lines` of them `ratio` times as far apart.
 Points arcs(int points, int lines, double arc, double ratio, Random* noise = nullptr) {
@@ -69,13 +54,13 @@ TEST(CloudGraph, RegularGridsAreJoinedCellByCell) {
           if (flat && far > 0) continue;
           SCOPED_TRACE(std::to_string(flat) + " " + std::to_string(step) + " " + std::to_string(angle) + " " +
                        std::to_string(far));
-          expect_all_cells(grid(40, 40, 1, step, angle, far, flat), 40, 40);
-          if (step > 1) expect_all_cells(grid(24, 30, step, 1, angle, far, flat), 24, 30);
+          expect_all_cells(wave_grid(40, 40, 1, step, angle, far, flat), 40, 40);
+          if (step > 1) expect_all_cells(wave_grid(24, 30, step, 1, angle, far, flat), 24, 30);
         }
 }
 
 TEST(CloudGraph, FlatGridsKeepTheirSpacing) {
-  const Points p = grid(40, 40, 1, 10, 0.5, 0, true);
+  const Points p = wave_grid(40, 40, 1, 10, 0.5, 0, true);
   const CloudMap c = parameterize_cloud(p, {.base = CloudBase::graph});
   // Up to a turn by quarters: of each cell's edges one parameter stays, the other steps by 1/39.
   for (int j = 0; j < 40; ++j)

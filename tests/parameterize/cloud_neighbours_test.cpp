@@ -6,33 +6,18 @@
 #include <cmath>
 #include <set>
 
+#include "clouds.h"
 #include "knotfit/parameterize_cloud.h"
 #include "parameterize/cloud_lines.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
 
-using Points = std::vector<double>;
-
-/// A wave over a grid of columns x rows with these steps, turned by an angle, from some place on.
-Points grid(int columns, int rows, double dx, double dy, double angle = 0, double far = 0,
-            bool flat = false) {
-  Points p;
-  const double c = std::cos(angle), s = std::sin(angle), height = 0.15 * std::min(columns * dx, rows * dy);
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      const double x = i * dx, y = j * dy;
-      const double z = flat ? 0 : height * std::sin(3.0 * i / columns) * std::cos(2.0 * j / rows);
-      p.insert(p.end(), {far + c * x - s * y, far + s * x + c * y, z});
-    }
-  return p;
-}
-
 TEST(NeighboursAcrossLines, HoldTheLinesBeside) {
   const int columns = 60, rows = 20;
   for (const double ratio : {4.0, 6.0, 7.0, 10.0, 30.0}) {
     SCOPED_TRACE(ratio);
-    const Points p = grid(columns, rows, 1, ratio, 0.3, 1000);
+    const Points p = wave_grid(columns, rows, 1, ratio, 0.3, 1000);
     const cloud::NeighbourLists lists = cloud::neighbours_across_lines(p, 16);
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < columns; ++i) {
@@ -64,7 +49,7 @@ TEST(NeighboursAcrossLines, AreTheNearestWherePointsSpreadOrNoOtherLineIs) {
     spread.insert(spread.end(), {random.unit(), random.unit(), 0.01 * random.unit()});
     line.insert(line.end(), {0.01 * k, 5.0, 2.0});
   }
-  for (const Points& p : {spread, line, grid(30, 30, 1, 1), grid(30, 30, 1, 2)}) {
+  for (const Points& p : {spread, line, wave_grid(30, 30, 1, 1), wave_grid(30, 30, 1, 2)}) {
     const cloud::NeighbourLists lists = cloud::neighbours_across_lines(p, 16),
                                 nearest = cloud::nearest_neighbours(p, 3, 16);
     EXPECT_EQ(lists.index, nearest.index);

@@ -1,19 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "clouds.h"
 #include "knotfit/parameterize_cloud.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
-
-using Points = std::vector<double>;
-
-void expect_sound(const CloudMap& c) {
-  ASSERT_EQ(static_cast<Index>(c.map.uv.size()), 2 * c.mesh.vertex_count());
-  EXPECT_EQ(c.mesh.virtual_face.size(), c.mesh.faces.size());
-  for (const double x : c.map.uv) EXPECT_TRUE(x >= 0 && x <= 1);
-  EXPECT_EQ(c.map.quality.flipped, 0);
-  EXPECT_EQ(measure_map(c.mesh, c.map.uv).flipped, 0);
-}
 
 TEST(TriangulatedParameters, StayWhereTheyAre) {
   Random random;

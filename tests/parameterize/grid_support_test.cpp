@@ -6,30 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "clouds.h"
 #include "knotfit/openings.h"
 #include "knotfit/parameterize_cloud.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
 
-using Points = std::vector<double>;
 using std::numbers::pi;
-
-struct Window {
-  double x, y, radius;
-};
-
-/// A wave over the unit square at random places, without those in the windows.
-Points sheet(Random& random, int count, const std::vector<Window>& windows) {
-  Points p;
-  while (static_cast<int>(p.size()) < 3 * count) {
-    const double x = random.unit(), y = random.unit();
-    if (std::none_of(windows.begin(), windows.end(),
-                     [&](const Window& w) { return std::hypot(x - w.x, y - w.y) < w.radius; }))
-      p.insert(p.end(), {x, y, 0.1 * std::sin(3 * x) * std::cos(2 * y)});
-  }
-  return p;
-}
 
 /// Points as a height field over [0, 10] x [0, 5] whose parameters are the places.
 ParameterizedPoints heights(const Points& p) {
@@ -45,7 +29,7 @@ ParameterizedPoints heights(const Points& p) {
 
 TEST(GridSupport, IsTheDataWithoutItsOpeningsAndWhatIsBeyond) {
   Random random;
-  Points p = sheet(random, 4000, {{0.5, 0.5, 0.2}});
+  Points p = sheet_with_windows(random, 4000, {{0.5, 0.5, 0.2}});
   // Nothing right of x = 0.8.
   Points left;
   for (std::size_t k = 0; k < p.size(); k += 3)
@@ -80,7 +64,7 @@ TEST(GridSupport, OfAnEvenSheetIsEveryNode) {
     for (int j = 0; j <= 40; ++j) p.insert(p.end(), {i / 40.0, j / 40.0, 0.0});
   const std::vector<char> of_grid = grid_support(heights(p), grid);
   EXPECT_EQ(std::count(of_grid.begin(), of_grid.end(), 0), 0);
-  const std::vector<char> at_random = grid_support(heights(sheet(random, 3000, {})), grid);
+  const std::vector<char> at_random = grid_support(heights(sheet_with_windows(random, 3000, {})), grid);
   // A node in a thousand is farther than 2.5 spacings from all points, or in a bare corner.
   EXPECT_LT(std::count(at_random.begin(), at_random.end(), 0), 20);
 }

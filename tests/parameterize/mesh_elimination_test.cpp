@@ -4,20 +4,10 @@
 
 #include <algorithm>
 
-#include "mesh_support.h"
-#include "parameterize/mesh_disk.h"
+#include "pattern.h"
+
 namespace knotfit::mesh_map {
 namespace {
-
-struct Pattern {
-  int vertices;
-  std::vector<std::array<int, 2>> edges;
-};
-
-Pattern sheet_pattern(int cells) {
-  const DiskMesh disk = make_disk(test::sheet(cells, cells + 3));
-  return {disk.vertex_count(), disk.edge};
-}
 
 TEST(Elimination, GivesEveryVertexOnePlaceAndEveryEdgeOneEntry) {
   const Pattern p = sheet_pattern(12);

@@ -6,20 +6,10 @@
 #include <algorithm>
 #include <random>
 
-#include "mesh_support.h"
-#include "parameterize/mesh_disk.h"
+#include "pattern.h"
+
 namespace knotfit::mesh_map {
 namespace {
-
-struct Pattern {
-  int vertices;
-  std::vector<std::array<int, 2>> edges;
-};
-
-Pattern sheet_pattern(int cells) {
-  const DiskMesh disk = make_disk(test::sheet(cells, cells + 3));
-  return {disk.vertex_count(), disk.edge};
-}
 
 // Sparse, and not of a mesh: several parts, a vertex alone, a vertex joined to all others.
 Pattern odd_pattern() {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "clouds.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize_cloud.h"
 #include "support/expect_throw.h"
@@ -13,24 +14,7 @@
 namespace knotfit::test {
 namespace {
 
-using Points = std::vector<double>;
 using std::numbers::pi;
-
-struct Window {
-  double x, y, radius;
-};
-
-/// A wave over the unit square at random places, without those in the windows.
-Points sheet(Random& random, int count, const std::vector<Window>& windows) {
-  Points p;
-  while (static_cast<int>(p.size()) < 3 * count) {
-    const double x = random.unit(), y = random.unit();
-    if (std::none_of(windows.begin(), windows.end(),
-                     [&](const Window& w) { return std::hypot(x - w.x, y - w.y) < w.radius; }))
-      p.insert(p.end(), {x, y, 0.1 * std::sin(3 * x) * std::cos(2 * y)});
-  }
-  return p;
-}
 
 /// Around the z axis, with noise in the radius.
 Points tube(Random& random, int count, double noise, double turn = 2 * pi) {
@@ -90,7 +74,7 @@ TEST(CloudOpenings, ThreeWindowsOfAPlateAreFoundWhereTheyAre) {
   const std::vector<Window> windows{{0.5, 0.75, 0.14}, {0.25, 0.25, 0.12}, {0.7, 0.3, 0.1}};
   Random random;
   for (int round = 0; round < 5; ++round) {
-    const Points p = sheet(random, 2500, windows);
+    const Points p = sheet_with_windows(random, 2500, windows);
     expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "3 openings beside the rim, at (");
     expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "`fill_holes`");
     expect_throw<InvalidInput>([&] { parameterize_cloud(p); }, "`height_field`");
@@ -139,7 +123,7 @@ TEST(CloudOpenings, ATubeIsRefusedWithTheCylinderItIs) {
 TEST(CloudOpenings, SheetsWithoutOneHaveNone) {
   Random random;
   std::vector<Points> sheets;
-  for (const int count : {100, 400, 3000, 20000}) sheets.push_back(sheet(random, count, {}));
+  for (const int count : {100, 400, 3000, 20000}) sheets.push_back(sheet_with_windows(random, count, {}));
   for (const double growth : {20.0, 400.0}) {  // of the density across the sheet
     Points p;
     for (int k = 0; k < 4000; ++k) {
@@ -209,7 +193,7 @@ TEST(CloudOpenings, ASquareThatIsBareInItsCornersIsRefusedOverAPlane) {
 
 TEST(CloudOpenings, GivenParametersAreLeftAsTheyAre) {
   Random random;
-  const Points p = sheet(random, 2000, {{0.5, 0.5, 0.25}});
+  const Points p = sheet_with_windows(random, 2000, {{0.5, 0.5, 0.25}});
   std::vector<double> uv;
   for (std::size_t k = 0; k < p.size(); k += 3) uv.insert(uv.end(), {p[k], p[k + 1]});
   const CloudMap c = triangulate_parameters(p, uv);

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "clouds.h"
 #include "knotfit/exceptions.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
 namespace {
-
-using Points = std::vector<double>;
 
 /// A wave over [0, width] x [0, 1], at random places, somewhere far away and turned.
 Points wave(Random& random, int count, double width = 2, double far = 4.6e6) {
@@ -22,18 +21,6 @@ Points wave(Random& random, int count, double width = 2, double far = 4.6e6) {
     p.insert(p.end(), {far + 0.6 * x - 0.8 * y, far + 0.8 * x + 0.6 * y, z});
   }
   return p;
-}
-
-void expect_sound(const CloudMap& c) {
-  ASSERT_EQ(static_cast<Index>(c.map.uv.size()), 2 * c.mesh.vertex_count());
-  EXPECT_EQ(c.mesh.virtual_face.size(), c.mesh.faces.size());
-  for (const double x : c.map.uv) EXPECT_TRUE(x >= 0 && x <= 1);
-  EXPECT_EQ(c.map.quality.flipped, 0);
-  EXPECT_EQ(measure_map(c.mesh, c.map.uv).flipped, 0);
-}
-
-Index count_virtual(const CloudMap& c) {
-  return std::count(c.mesh.virtual_face.begin(), c.mesh.virtual_face.end(), 1);
 }
 
 TEST(CloudOverAPlane, FillsTheSquareAlongItsOwnSides) {
@@ -114,22 +101,11 @@ TEST(CloudOverAPlane, EqualPointsCountOnce) {
   EXPECT_EQ(mesh_points(c.mesh, c.map.uv).size(), 300);
 }
 
-/// Part of a tube of this radius: angle from 0 to `turn`, height 0 to 3.
-Points tube(Random& random, int count, double radius, double turn) {
-  Points p;
-  for (int k = 0; k < count; ++k) {
-    const double a = turn * random.unit(), h = 3 * random.unit();
-    // Around the axis (0.6, 0, 0.8).
-    const double x = radius * std::cos(a), y = radius * std::sin(a);
-    p.insert(p.end(), {100 + 0.8 * x + 0.6 * h, -50 + y, -0.6 * x + 0.8 * h});
-  }
-  return p;
-}
-
 TEST(CloudOverACylinder, IsUnrolled) {
   Random random;
   for (const double turn : {2.0, 4.5, 2 * std::numbers::pi}) {
-    const CloudMap c = parameterize_cloud(tube(random, 3000, 1.25, turn), {.base = CloudBase::cylinder});
+    const CloudMap c =
+        parameterize_cloud(tilted_tube(random, 3000, 1.25, turn), {.base = CloudBase::cylinder});
     expect_sound(c);
     EXPECT_NEAR(c.radius, 1.25, 1e-9);
     EXPECT_NEAR(c.scatter, 0, 1e-9);
@@ -167,7 +143,7 @@ Index side(const CloudMap& c, const Points& normals) {
 
 TEST(CloudNormals, SayWhereOutsideIsOnEveryBase) {
   Random random;
-  const Points flat = wave(random, 1500, 2, 0), round = tube(random, 3000, 1, 4.5);
+  const Points flat = wave(random, 1500, 2, 0), round = tilted_tube(random, 3000, 1, 4.5);
   for (const double sign : {1.0, -1.0})
     for (const CloudBase base : {CloudBase::plane, CloudBase::cylinder, CloudBase::graph}) {
       const Points& p = base == CloudBase::plane ? flat : round;

@@ -3,25 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clouds.h"
 #include "knotfit/exceptions.h"
 #include "knotfit/parameterize_cloud.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {
 namespace {
-
-using Points = std::vector<double>;
-
-void expect_sound(const CloudMap& c) {
-  ASSERT_EQ(static_cast<Index>(c.map.uv.size()), 2 * c.mesh.vertex_count());
-  EXPECT_EQ(c.mesh.virtual_face.size(), c.mesh.faces.size());
-  for (const double x : c.map.uv) EXPECT_TRUE(x >= 0 && x <= 1);
-  EXPECT_EQ(c.map.quality.flipped, 0);
-  EXPECT_EQ(measure_map(c.mesh, c.map.uv).flipped, 0);
-}
-
-Index count_virtual(const CloudMap& c) {
-  return std::count(c.mesh.virtual_face.begin(), c.mesh.virtual_face.end(), 1);
-}
 
 /// Rows at u by chord length.
 struct Rows {

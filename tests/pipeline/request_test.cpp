@@ -1,19 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "knotfit/exceptions.h"
 #include "pipeline/fits.h"
+#include "pipeline/refused.h"
 #include "support/expect_throw.h"
 namespace knotfit::test {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-void expect_refused(const ParameterizedPoints& points, const FitOptions& options, const std::string& words) {
-  expect_throw<InvalidInput>([&] { fit_surface(points, options); }, words);
-}
 
 TEST(Refusals, FewerPointsThanOnePatch) {
   const ParameterizedPoints points = synthetic_points("franke", 15);

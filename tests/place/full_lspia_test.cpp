@@ -6,22 +6,15 @@
 #include "knotfit/place.h"
 #include "place/shares.h"
 #include "place/trials.h"
+#include "support/plain_fits.h"
 #include "support/synthetic.h"
 namespace knotfit::test {
 namespace {
 
-FitProblem plain_problem(const ParameterizedPoints& points) {
-  LeastSquaresOptions options;
-  options.refinement_steps = 0;
-  options.estimate_condition = false;
-  options.use_grid = false;
-  return FitProblem(points, 3, 3, options);
-}
-
 TEST(FullLspia, ErrorFallsEachRound) {
   for (const char* name : {"franke", "ridge", "torus"}) {
     const ParameterizedPoints points = synthetic_points(name, 3000);
-    FitProblem problem = plain_problem(points);
+    FitProblem problem(points, 3, 3, plain_fits());
     InteriorKnots knots{uniform_knots(8), uniform_knots(8)};
     FullLspiaOptions options;
     options.rounds = 15;

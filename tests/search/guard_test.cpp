@@ -6,24 +6,24 @@
 
 #include "place/shares.h"
 #include "search/searches.h"
+#include "support/plain_fits.h"
 namespace knotfit::test {
 namespace {
 
-MovingFit moving(const ParameterizedPoints& points) {
-  LeastSquaresOptions fit;
-  fit.refinement_steps = 0;
-  fit.use_grid = false;
-  return MovingFit(points, 3, 3, fit);
-}
+/// A guard of points on Franke's function, and a problem over what joins them.
+struct Guarded {
+  ParameterizedPoints points = synthetic_points("franke", 4000);
+  double tolerance = 1e-3 * synthetic_diagonal(points);
+  JoinedPoints joined{points};
+  Guard guard{joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {}};
+  MovingFit problem{joined.points(), 3, 3, plain_fits()};
+};
 
 TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
-  const ParameterizedPoints points = synthetic_points("franke", 4000);
-  const double tolerance = 1e-3 * synthetic_diagonal(points);
-  JoinedPoints joined(points);
-  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
+  Guarded guarded;
+  auto& [points, tolerance, joined, guard, problem] = guarded;
   EXPECT_EQ(joined.data_count(), points.size());
   EXPECT_EQ(guard.fill_count(), 0);
-  MovingFit problem = moving(joined.points());
   problem.solve({uniform_knots(2), uniform_knots(2)});
   EXPECT_EQ(guard.fill(problem), 0);  // 440 points a cell: nowhere to go astray
   problem.solve({uniform_knots(24), uniform_knots(24)});
@@ -41,11 +41,8 @@ TEST(Guard, FillsTheGapsThatAreWideForTheKnots) {
 }
 
 TEST(Guard, TakesInWhereASurfaceGoesAstray) {
-  const ParameterizedPoints points = synthetic_points("franke", 4000);
-  const double tolerance = 1e-3 * synthetic_diagonal(points);
-  JoinedPoints joined(points);
-  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  MovingFit problem = moving(joined.points());
+  Guarded guarded;
+  auto& [points, tolerance, joined, guard, problem] = guarded;
   const InteriorKnots knots{uniform_knots(24), uniform_knots(24)};
   problem.solve(knots);
   EXPECT_LE(guard.exchange(problem), 5);  // a fair fit is near the reference at most of 1 000 places
@@ -57,11 +54,8 @@ TEST(Guard, TakesInWhereASurfaceGoesAstray) {
 }
 
 TEST(Guard, LooksIntoASlitBetweenTwoKnots) {
-  const ParameterizedPoints points = synthetic_points("franke", 4000);
-  const double tolerance = 1e-3 * synthetic_diagonal(points);
-  JoinedPoints joined(points);
-  Guard guard(joined, tolerance, 1, {uniform_knots(12), uniform_knots(12)}, {});
-  MovingFit problem = moving(joined.points());
+  Guarded guarded;
+  auto& [points, tolerance, joined, guard, problem] = guarded;
   const InteriorKnots knots{{0.4999, 0.4999, 0.5, 0.5001, 0.5001}, {}};
   problem.solve(knots);
   std::vector<double> net = problem.net();

@@ -4,16 +4,13 @@
 
 #include "place/shares.h"
 #include "search/searches.h"
+#include "support/plain_fits.h"
 namespace knotfit::test {
 namespace {
 
 TEST(Minimax, LowersTheMaximumOfTheLeastSquares) {
   const ParameterizedPoints points = synthetic_points("franke", 5000);
-  LeastSquaresOptions fit;
-  fit.refinement_steps = 0;
-  fit.estimate_condition = false;
-  fit.use_grid = false;
-  MovingFit problem(points, 3, 3, fit);
+  MovingFit problem(points, 3, 3, plain_fits());
   const InteriorKnots knots{uniform_knots(7), uniform_knots(7)};
   problem.solve(knots);
   const double before = problem.max();

@@ -18,12 +18,6 @@ struct Integrals {
   }
 };
 
-ParameterizedPoints uneven_points(Index n, unsigned seed) {
-  ParameterizedPoints points = synthetic_points("ridge", n, seed);
-  for (std::size_t i = 0; i < points.uv.size(); i += 2) points.uv[i] = points.uv[i] * points.uv[i];
-  return points;
-}
-
 // Cells of few raster cells are added up, larger ones come from summed tables: both are the same integral.
 TEST(DataEnergy, IntegralsAreAdditive) {
   const ParameterizedPoints points = uneven_points(3000, 5);

@@ -98,6 +98,13 @@ inline ParameterizedPoints synthetic_points(const std::string& name, Index n = 1
   return points;
 }
 
+/// Points on the ridge, denser towards u = 0.
+inline ParameterizedPoints uneven_points(Index n, unsigned seed) {
+  ParameterizedPoints points = synthetic_points("ridge", n, seed);
+  for (std::size_t i = 0; i < points.uv.size(); i += 2) points.uv[i] = points.uv[i] * points.uv[i];
+  return points;
+}
+
 /// Diagonal of the box of (u, v, z), or of (x, y, z): the unit of the tables' errors and tolerances.
 inline double synthetic_diagonal(const ParameterizedPoints& points) {
   double sum = 0;
