@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "input.h"
 #include "knotfit/base_surface.h"
 #include "knotfit/exceptions.h"
@@ -11,16 +13,12 @@
 namespace knotfit::tool {
 namespace {
 
+constexpr Index kMostMappedWhole = 100000;  // points that are mapped one and all
+constexpr Index kMappedSample = 30000;
+
 MappedMesh mapped(CloudMap cloud, const std::vector<Index>& line) {
   MappedMesh result;
-  result.mesh = std::move(cloud.mesh);
-  result.map = std::move(cloud.map);
-  result.openings = cloud.openings;
-  for (Index& k : result.mesh.vertex_line)
-    if (k > 0 && !line.empty()) k = line[k - 1];
-  cloud.mesh = {};
-  cloud.map = {};
-  result.cloud = std::move(cloud);
+  take_map(result, std::move(cloud), line);
   return result;
 }
 
@@ -56,7 +54,46 @@ Surface base_surface(const BaseChoice& base) {
   return coons_surface(curves);
 }
 
+/// Lays points over the base that was asked for.
+CloudMap lay(std::span<const double> points, std::span<const Index> index, const PointTable& table,
+             const FitChoices& choices, const Control& control) {
+  const BaseChoice base = parse_base(choices.base.value_or("auto"));
+  const bool fill_holes = choices.fill_holes.value_or(false);
+  if (base.kind == CloudBase::surface) {
+    CloudMap cloud = parameterize_cloud(points, base_surface(base), control);
+    if (!fill_holes) require_no_openings(cloud);
+    return cloud;
+  }
+  CloudOptions options;
+  options.base = base.kind;
+  options.map = map_options(choices);
+  options.fill_holes = fill_holes;
+  if (!table.nx.empty())
+    for (const Index k : index)
+      options.normals.insert(options.normals.end(), {table.nx[k], table.ny[k], table.nz[k]});
+  return parameterize_cloud(points, options, control);
+}
+
+/// Points of the sample that is mapped; 0: all are. Weights count at every point.
+Index sample_of(const PointTable& table, const FitChoices& choices) {
+  const Engine engine = choices.engine.value_or(Engine::automatic);
+  if (engine == Engine::points || !table.weight.empty()) return 0;
+  const Index above = engine == Engine::sample ? kMappedSample : kMostMappedWhole;
+  return table.size() > above ? kMappedSample : 0;
+}
+
 }  // namespace
+
+void take_map(MappedMesh& mapped, CloudMap cloud, const std::vector<Index>& line) {
+  mapped.mesh = std::move(cloud.mesh);
+  mapped.map = std::move(cloud.map);
+  mapped.openings = cloud.openings;
+  for (Index& k : mapped.mesh.vertex_line)
+    if (k > 0 && !line.empty()) k = line[k - 1];
+  cloud.mesh = {};
+  cloud.map = {};
+  mapped.cloud = std::move(cloud);
+}
 
 MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const Control& control) {
   if (table.x.empty()) throw InvalidInput("z without x, y and u, v columns: there is nothing to fit it over");
@@ -64,20 +101,22 @@ MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const C
   xyz.reserve(static_cast<std::size_t>(3 * table.size()));
   for (Index k = 0; k < table.size(); ++k) xyz.insert(xyz.end(), {table.x[k], table.y[k], table.z[k]});
   parameterize::check_strays(xyz, 3, table.line);
-  const BaseChoice base = parse_base(choices.base.value_or("auto"));
-  const bool fill_holes = choices.fill_holes.value_or(false);
-  if (base.kind == CloudBase::surface) {
-    CloudMap cloud = parameterize_cloud(xyz, base_surface(base), control);
-    if (!fill_holes) require_no_openings(cloud);
-    return mapped(std::move(cloud), table.line);
-  }
-  CloudOptions options;
-  options.base = base.kind;
-  options.map = map_options(choices);
-  options.fill_holes = fill_holes;
-  for (std::size_t k = 0; k < table.nx.size(); ++k)
-    options.normals.insert(options.normals.end(), {table.nx[k], table.ny[k], table.nz[k]});
-  return mapped(parameterize_cloud(xyz, options, control), table.line);
+  std::vector<Index> all(static_cast<std::size_t>(table.size()));
+  std::iota(all.begin(), all.end(), Index{0});
+  const Index most = sample_of(table, choices);
+  if (most == 0) return mapped(lay(xyz, all, table, choices, control), table.line);
+  auto whole = std::make_shared<WholeCloud>();
+  whole->most = most;
+  whole->points = std::move(xyz);
+  whole->line = table.line;
+  whole->source = {whole->points,
+                   [table, choices, control](std::span<const double> points, std::span<const Index> index) {
+                     return lay(points, index, table, choices, control);
+                   }};
+  whole->map = map_sample(whole->source, most);
+  MappedMesh result = mapped(whole->map, table.line);
+  result.whole = std::move(whole);
+  return result;
 }
 
 MappedMesh map_points(const ParameterizedPoints& points, bool in_rows, const FitChoices& choices,

@@ -7,6 +7,7 @@
 
 #include "applicable_options.h"
 #include "cad_output.h"
+#include "cloud_input.h"
 #include "commands.h"
 #include "exit_status.h"
 #include "feature_file.h"
@@ -135,6 +136,21 @@ Raster fitted_heights(Raster grid, const FitResult& result, const FitInput& inpu
 std::vector<double> residuals_of_every_point(const FitResult& result, const FitInput& input) {
   if (input.all_points.size() == 0) return result.errors;
   return recheck_errors(result.surface, input.all_points);
+}
+
+// A mesh, or the sample of a cloud with the points that it is judged by.
+MeshFit fit_corrected(FitInput& input, const FitOptions& options, const CorrectionOptions& how,
+                      const Control& control) {
+  MappedMesh& mapped = *input.mesh;
+  if (mapped.whole == nullptr) return fit_mesh(mapped.mesh, *mapped.map, options, how, control);
+  const WholeCloud& whole = *mapped.whole;
+  CloudFit fit = fit_cloud(whole.source, whole.most, whole.map, options, how, control);
+  take_map(mapped, std::move(fit.map), whole.line);
+  mapped.loose.clear();
+  if (!whole.line.empty())
+    for (Index& k : fit.fit.points.source) k = whole.line[k - 1];
+  input.summary.points = fit.fit.points.size();
+  return std::move(fit.fit);
 }
 
 // Points that no triangle has have no parameters: their feet on the surface stand for them.
@@ -349,9 +365,9 @@ int run_fit(const Arguments& arguments) {
   MeshFit corrected;
   try {
     if (rounds > 0) {
-      corrected =
-          fit_mesh(input.mesh->mesh, *input.mesh->map, fit_options(choices, input),
-                   {.rounds = rounds, .fairness = *choices.fairness * CorrectionOptions{}.fairness}, control);
+      corrected = fit_corrected(
+          input, fit_options(choices, input),
+          {.rounds = rounds, .fairness = *choices.fairness * CorrectionOptions{}.fairness}, control);
       result = corrected.result;
       input.points = corrected.points;
       input.all_points = {};

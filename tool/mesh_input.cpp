@@ -228,6 +228,7 @@ std::string cloud_to_json(const MappedMesh& mapped) {
   Json j = {{"base", name_of(kBases, cloud.base)},
             {"description", describe(cloud)},
             {"points", cloud.points},
+            {"sample", cloud.sample},
             {"coincident", cloud.coincident},
             {"lone", cloud.lone},
             {"stray_rows", stray_rows},

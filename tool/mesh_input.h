@@ -1,9 +1,11 @@
 // Meshes on their way to points with parameters: repaired, checked, mapped.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "knotfit/control.h"
+#include "knotfit/fit_cloud.h"
 #include "knotfit/mesh.h"
 #include "knotfit/openings.h"
 #include "knotfit/parameterize_cloud.h"
@@ -11,6 +13,15 @@
 #include "knotfit/source_data.h"
 #include "options.h"
 namespace knotfit::tool {
+
+/// A cloud of which a sample was mapped.
+struct WholeCloud {
+  std::vector<double> points;  ///< n x 3
+  std::vector<Index> line;     ///< of each in the file; empty: k + 1
+  Index most = 0;              ///< points of the sample
+  CloudSource source;          ///< of these points
+  CloudMap map;                ///< of the sample, with numbers of `points` from 1 as its vertex_line
+};
 
 /// A mesh as it was mapped.
 struct MappedMesh {
@@ -21,7 +32,8 @@ struct MappedMesh {
       {};  ///< why the parameters of the file are not used; empty: they are, or it has none
   /// Where the input was no mesh but points: what they were laid over. Its mesh and map are those above.
   std::optional<CloudMap> cloud = {};
-  std::vector<double> loose = {};  ///< points that no triangle of the data has, n x 3: left out
+  std::shared_ptr<const WholeCloud> whole = {};  ///< where that is the map of a sample
+  std::vector<double> loose = {};  ///< points that no triangle of the mapped data has, n x 3
   std::vector<double> loose_uv = {}, loose_distance = {};  ///< their feet on the surface, once it is there
   std::vector<Opening> openings =
       {};  ///< of the data, closed by virtual faces; shares at the map's parameters

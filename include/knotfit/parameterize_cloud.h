@@ -44,6 +44,7 @@ struct CloudMap {
   Mesh mesh;
   MeshMap map;           ///< uv of every vertex; corners are those nearest to the square's
   Index points = 0;      ///< of the cloud
+  Index sample = 0;      ///< points of the sample that was mapped (map_sample()); 0: all were
   Index coincident = 0;  ///< points left out: another has the same parameters
   Index lone = 0;        ///< points left out: no triangle of the data has them (outliers, scraps)
   /// Of `plane` and `automatic`: share of the points whose neighbourhood turns away from the plane.

@@ -272,6 +272,7 @@ std::string describe(const CloudMap& c) {
     text += fmt::format("; {:.2g} % of the points stand upright on the plane or turn back over it",
                         100 * c.folded);
   if (c.mapped && c.base != CloudBase::graph) text += "; the outline laid along the square";
+  if (c.sample > 0) text += fmt::format("; of {} points a sample of {} is mapped", c.points, c.sample);
   if (c.normals > 0)
     text += fmt::format("; {} of the points have normals, which say where outside is", c.normals);
   if (c.covered < 0.99)

@@ -7,6 +7,7 @@
 
 #include "base/deadline.h"
 #include "fit/error_measure.h"
+#include "pipeline/distances.h"
 #include "pipeline/message.h"
 #include "pipeline/request.h"
 #include "pipeline/verdict.h"
@@ -71,40 +72,17 @@ void add_notes(MeshFit& fit) {
   note_straying(fit, notes);
 }
 
-/// The distances in place of the errors at the map's parameters. \return false where the check fails
-bool take_distances(MeshFit& fit, const Mesh& mesh) {
-  FitResult& r = fit.result;
+/// The distances of the vertices that are data. \return false where the check fails
+bool take_vertex_distances(MeshFit& fit, const Mesh& mesh) {
   const CorrectionResult& c = fit.correction;
-  r.surface = c.surface;
-  fit.points = mesh_points(mesh, c.uv);
-  ParameterizedPoints feet = fit.points;
-  r.errors.clear();
-  Index at = 0;
+  fit.result.surface = c.surface;
+  std::vector<double> distances, feet;
   for (Index k = 0; k < mesh.vertex_count(); ++k) {
     if (std::isnan(c.signed_distances[k])) continue;
-    fit.signed_distances.push_back(c.signed_distances[k]);
-    r.errors.push_back(std::abs(c.signed_distances[k]));
-    std::copy_n(&c.foot_points[2 * k], 2, &feet.uv[2 * at++]);
+    distances.push_back(c.signed_distances[k]);
+    feet.insert(feet.end(), {c.foot_points[2 * k], c.foot_points[2 * k + 1]});
   }
-  const std::vector<double> at_parameters = recheck_errors(r.surface, fit.points);
-  fit.at_parameters = summarize_errors(at_parameters, fit.points);
-  fit.foot_uv = feet.uv;
-  r.error = summarize_errors(r.errors, feet);
-  const double beyond = r.tolerance > 0 ? r.tolerance : r.error.max;
-  for (std::size_t k = 0; k < at_parameters.size(); ++k)
-    if (at_parameters[k] > std::max(beyond, 2 * r.errors[k])) {
-      ++fit.off_foot;
-      fit.off_foot_error = std::max(fit.off_foot_error, at_parameters[k]);
-    }
-  // De Boor's algorithm at the foot points must find the same distances.
-  const std::vector<double> rechecked = recheck_errors(r.surface, feet);
-  r.recheck_difference = 0;
-  bool sound = true;
-  for (std::size_t k = 0; k < rechecked.size(); ++k) {
-    sound = sound && std::isfinite(rechecked[k]);
-    r.recheck_difference = std::max(r.recheck_difference, std::abs(rechecked[k] - r.errors[k]));
-  }
-  return sound && r.recheck_difference <= 1e-10 * r.diagonal + 64 * 2.3e-16 * r.surface.scale();
+  return take_distances(fit, mesh_points(mesh, c.uv), std::move(distances), std::move(feet));
 }
 
 /// The correction of knots that a method placed at the map's parameters. \return false: the plain fit is kept
@@ -178,11 +156,9 @@ MeshFit fit_mesh(const Mesh& mesh, const MeshMap& map, const FitOptions& options
     r.notes.push_back("the control points of the correction could not be solved for: the plain fit is kept");
     return fit;
   }
-  if (!take_distances(fit, mesh)) {
+  if (!take_vertex_distances(fit, mesh)) {
     r.status = Status::failed;
-    r.message = fmt::format(
-        "the surface failed its own check: distances measured apart from the correction differ by {:.3g}",
-        r.recheck_difference);
+    r.message = failed_check(r);
     return fit;
   }
   r.least_squares = false;

@@ -42,6 +42,35 @@ class CloudTest(ToolTest):
         return self.write(name, "x,y,z\n" + "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in points))
 
 
+class ManyPoints(CloudTest):
+    """Of many points a sample is mapped; the verdict and the table are of all."""
+
+    def write_many(self, count):
+        return self.write_xyz("many.csv", [(0.8 * u - 0.6 * wave(u, v), v, 0.6 * u + 0.8 * wave(u, v)) for u, v in scattered(count)])
+
+    def test_a_sample_is_mapped_and_all_are_judged(self):
+        self.write_many(32000)
+        report = self.run_json("fit", "many.csv", "--engine", "sample", "--tol", "2%", "-o", "s.json", "-o", "errors.csv", "-o", "map.png")
+        cloud = report["input"]["cloud"]
+        self.assertTrue(5000 < cloud["sample"] <= 30000)
+        self.assertEqual(report["sample"], cloud["sample"])
+        self.assertEqual((cloud["points"], report["input"]["points"]), (32000, 32000))
+        self.assertIn(f"of 32000 points a sample of {cloud['sample']} is mapped", cloud["description"])
+        self.assertTrue(report["reached"])
+        rows = self.read_csv((self.folder / "errors.csv").read_text())
+        self.assertEqual(len(rows), 32000)
+        self.assertEqual(max(r["error"] for r in rows), report["error"]["max"])
+        self.assertLessEqual(report["error"]["max"], report["tolerance"]["value"])
+        far = self.run_json("distance", "s.json", "many.csv")
+        self.assertAlmostEqual(far["points_to_surface"]["max"], report["error"]["max"], delta=1e-9)
+
+    def test_up_to_a_hundred_thousand_all_are_mapped_unless_asked(self):
+        self.write_many(3000)
+        for options in ((), ("--engine", "points"), ("--engine", "sample")):
+            report = self.run_json("fit", "many.csv", "--control-points", "6", *options)
+            self.assertEqual(report["input"]["cloud"]["sample"], 0, options)
+
+
 class Scans(CloudTest):
     def test_info_lists_classes_and_returns(self):
         points = self.write_scan()
