@@ -13,11 +13,9 @@
 namespace knotfit::tool {
 namespace {
 
-constexpr Index kMostMappedWhole = 100000;  // points that are mapped one and all
-constexpr Index kMappedSample = 30000;
-
 MappedMesh mapped(CloudMap cloud, const std::vector<Index>& line) {
   MappedMesh result;
+  result.cloud.emplace();
   take_map(result, std::move(cloud), line);
   return result;
 }
@@ -74,26 +72,7 @@ CloudMap lay(std::span<const double> points, std::span<const Index> index, const
   return parameterize_cloud(points, options, control);
 }
 
-/// Points of the sample that is mapped; 0: all are. Weights count at every point.
-Index sample_of(const PointTable& table, const FitChoices& choices) {
-  const Engine engine = choices.engine.value_or(Engine::automatic);
-  if (engine == Engine::points || !table.weight.empty()) return 0;
-  const Index above = engine == Engine::sample ? kMappedSample : kMostMappedWhole;
-  return table.size() > above ? kMappedSample : 0;
-}
-
 }  // namespace
-
-void take_map(MappedMesh& mapped, CloudMap cloud, const std::vector<Index>& line) {
-  mapped.mesh = std::move(cloud.mesh);
-  mapped.map = std::move(cloud.map);
-  mapped.openings = cloud.openings;
-  for (Index& k : mapped.mesh.vertex_line)
-    if (k > 0 && !line.empty()) k = line[k - 1];
-  cloud.mesh = {};
-  cloud.map = {};
-  mapped.cloud = std::move(cloud);
-}
 
 MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const Control& control) {
   if (table.x.empty()) throw InvalidInput("z without x, y and u, v columns: there is nothing to fit it over");
@@ -103,19 +82,19 @@ MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const C
   parameterize::check_strays(xyz, 3, table.line);
   std::vector<Index> all(static_cast<std::size_t>(table.size()));
   std::iota(all.begin(), all.end(), Index{0});
-  const Index most = sample_of(table, choices);
+  const Index most =
+      table.weight.empty() ? sample_of(table.size(), choices) : 0;  // weights count at every point
   if (most == 0) return mapped(lay(xyz, all, table, choices, control), table.line);
-  auto whole = std::make_shared<WholeCloud>();
-  whole->most = most;
-  whole->points = std::move(xyz);
-  whole->line = table.line;
-  whole->source = {whole->points,
-                   [table, choices, control](std::span<const double> points, std::span<const Index> index) {
-                     return lay(points, index, table, choices, control);
-                   }};
-  whole->map = map_sample(whole->source, most);
-  MappedMesh result = mapped(whole->map, table.line);
-  result.whole = std::move(whole);
+  auto sampled = std::make_shared<Sampled>();
+  sampled->most = most;
+  sampled->line = table.line;
+  sampled->source = cloud_source(std::move(xyz), [table, choices, control](std::span<const double> points,
+                                                                           std::span<const Index> index) {
+    return lay(points, index, table, choices, control);
+  });
+  sampled->map = map_sample(sampled->source, most);
+  MappedMesh result = mapped(sampled->map, table.line);
+  result.sampled = std::move(sampled);
   return result;
 }
 

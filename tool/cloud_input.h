@@ -7,12 +7,9 @@
 #include "options.h"
 namespace knotfit::tool {
 
-/// Points in space as a mesh over the base that --base names; of more than 100 000, or as --engine asks, a sample.
+/// Points in space as a mesh over the base that --base names; of more than 60 000, or as --engine asks, a sample.
 /// \throws InvalidInput  no x, y; what the base cannot carry
 MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const Control& control);
-
-/// Mesh, map and openings are those of `cloud`. \param line  of each point in the file; empty: its number
-void take_map(MappedMesh& mapped, CloudMap cloud, const std::vector<Index>& line);
 
 /// Points that have parameters as a mesh at these; with --new-parameters, and in rows where that can be, at those of a map
 /// of the mesh.

@@ -142,13 +142,13 @@ std::vector<double> residuals_of_every_point(const FitResult& result, const FitI
 MeshFit fit_corrected(FitInput& input, const FitOptions& options, const CorrectionOptions& how,
                       const Control& control) {
   MappedMesh& mapped = *input.mesh;
-  if (mapped.whole == nullptr) return fit_mesh(mapped.mesh, *mapped.map, options, how, control);
-  const WholeCloud& whole = *mapped.whole;
-  CloudFit fit = fit_cloud(whole.source, whole.most, whole.map, options, how, control);
-  take_map(mapped, std::move(fit.map), whole.line);
-  mapped.loose.clear();
-  if (!whole.line.empty())
-    for (Index& k : fit.fit.points.source) k = whole.line[k - 1];
+  if (mapped.sampled == nullptr) return fit_mesh(mapped.mesh, *mapped.map, options, how, control);
+  const Sampled& sampled = *mapped.sampled;
+  SampleFit fit = fit_sample(sampled.source, sampled.most, sampled.map, options, how, control);
+  take_map(mapped, std::move(fit.map), sampled.line);
+  mapped.loose = sampled.loose;
+  if (!sampled.line.empty())
+    for (Index& k : fit.fit.points.source) k = sampled.line[k - 1];
   input.summary.points = fit.fit.points.size();
   return std::move(fit.fit);
 }

@@ -23,7 +23,7 @@ ParameterizedPoints parameterize(const Mesh& mesh, const FitChoices& choices, co
     mapped = repaired_mesh(mesh, choices);
     return parameterize_height_field(table_of(mapped->mesh));
   }
-  mapped = map_mesh(mesh, choices, control);
+  mapped = map_mesh(mesh, choices, control, true, true);
   if (mapped->map) return mesh_points(mapped->mesh, mapped->map->uv);
   try {
     return parameterize_given(table_of(mapped->mesh), choices.rescale_parameters.value_or(false));

@@ -17,6 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr Index kMostMappedWhole = 60000;  // points that are mapped one and all
+constexpr Index kMappedSample = 20000;
+
 /// The openings of the data, and the share of the square under the data.
 void add_openings(Json& j, const MappedMesh& mapped) {
   j["holes"] = Json::array();
@@ -39,6 +42,15 @@ std::string holes_text(const MappedMesh& mapped) {
                         o.length);
   }
   return text + (mapped.openings.size() > 5 ? "; ...\n" : "\n");
+}
+
+Index vertices_of(const MappedMesh& mapped) {
+  return mapped.sampled && mapped.sampled->vertices > 0 ? mapped.sampled->vertices
+                                                        : mapped.mesh.vertex_count();
+}
+
+Index faces_of(const MappedMesh& mapped) {
+  return mapped.sampled && mapped.sampled->faces > 0 ? mapped.sampled->faces : mapped.mesh.face_count();
 }
 
 /// The number a vertex of a repaired mesh has in its file.
@@ -95,7 +107,51 @@ std::vector<double> vertices_without_faces(const Mesh& mesh) {
   return loose;
 }
 
+/// The map of a sample of its vertices, where those that are wanted as corners stay.
+void map_some(MappedMesh& mapped, Index most, const FitChoices& choices, const Control& control) {
+  auto sampled = std::make_shared<Sampled>();
+  sampled->most = most;
+  sampled->vertices = mapped.mesh.vertex_count();
+  sampled->faces = mapped.mesh.face_count();
+  sampled->line = table_of(mapped.mesh).line;
+  sampled->source = mesh_source(mapped.mesh, [choices, control](const Mesh& mesh) {
+    return parameterize_mesh(mesh, map_options(mesh, choices), control);
+  });
+  sampled->map = map_sample(sampled->source, most);
+  sampled->loose = mapped.loose;
+  const std::vector<double>& points = sampled->source.points;
+  std::vector<char> there(points.size() / 3, 0);
+  for (const Index number : sampled->map.mesh.vertex_line)
+    if (number > 0) there[number - 1] = 1;
+  for (std::size_t k = 0; k < there.size(); ++k)
+    if (there[k] == 0) mapped.loose.insert(mapped.loose.end(), &points[3 * k], &points[3 * k] + 3);
+  take_map(mapped, sampled->map, sampled->line);
+  mapped.sampled = std::move(sampled);
+}
+
 }  // namespace
+
+Index sample_of(Index count, const FitChoices& choices) {
+  const Engine engine = choices.engine.value_or(Engine::automatic);
+  if (engine == Engine::points) return 0;
+  return count > (engine == Engine::sample ? kMappedSample : kMostMappedWhole) ? kMappedSample : 0;
+}
+
+void take_map(MappedMesh& mapped, CloudMap map, const std::vector<Index>& line) {
+  mapped.mesh = std::move(map.mesh);
+  mapped.map = std::move(map.map);
+  for (Index& k : mapped.mesh.vertex_line)
+    if (k > 0 && !line.empty()) k = line[k - 1];
+  map.mesh = {};
+  map.map = {};
+  if (!mapped.cloud) {
+    mapped.openings = find_openings(mapped.mesh);
+    measure_openings(mapped.openings, mapped.mesh, mapped.map->uv);
+    return;
+  }
+  mapped.openings = map.openings;
+  mapped.cloud = std::move(map);
+}
 
 MappedMesh repaired_mesh(const Mesh& mesh, const FitChoices& choices) {
   RepairedMesh repaired = repair(mesh, {.largest_part = choices.largest_part.value_or(false),
@@ -113,7 +169,8 @@ const std::vector<double>& parameters_of(const MappedMesh& mapped) {
   return mapped.map ? mapped.map->uv : mapped.mesh.uv;
 }
 
-MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control, bool newton) {
+MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& control, bool newton,
+                    bool sampled) {
   MappedMesh mapped = repaired_mesh(mesh, choices);
   if (!mapped.mesh.uv.empty() && !choices.new_parameters.value_or(false)) {
     ParameterCheck check = check_parameters(mapped.mesh);
@@ -131,6 +188,10 @@ MappedMesh map_mesh(const Mesh& mesh, const FitChoices& choices, const Control& 
         fmt::format("the mesh's parameters (texture coordinates) are no parameters of a surface, {}, "
                     "and a map of it is not to be had: {}",
                     mapped.left_aside, e.what() + hint));
+  }
+  if (const Index most = sampled ? sample_of(mapped.mesh.vertex_count(), choices) : 0; most > 0) {
+    map_some(mapped, most, choices, control);
+    return mapped;
   }
   MeshMapOptions options = map_options(mapped.mesh, choices);
   options.newton = newton;
@@ -165,8 +226,9 @@ PointTable table_of(const Mesh& mesh) {
 std::string mesh_to_text(const MappedMesh& mapped) {
   if (mapped.cloud) return "base: " + describe(*mapped.cloud) + "\n" + holes_text(mapped);
   const RepairSummary& r = mapped.repaired;
-  std::string text =
-      fmt::format("mesh: {} vertices, {} triangles", mapped.mesh.vertex_count(), mapped.mesh.face_count());
+  std::string text = fmt::format("mesh: {} vertices, {} triangles", vertices_of(mapped), faces_of(mapped));
+  if (mapped.sampled)
+    text += fmt::format(", of which a sample of {} vertices is mapped", mapped.sampled->map.sample);
   const std::pair<Index, const char*> counts[] = {{r.dropped_parts, "parts dropped"},
                                                   {r.dropped_faces, "triangles dropped"},
                                                   {r.turned_faces, "triangles turned"},
@@ -194,10 +256,15 @@ std::string mesh_to_text(const MappedMesh& mapped) {
 
 std::string mesh_to_json(const MappedMesh& mapped) {
   const RepairSummary& r = mapped.repaired;
-  Json j = {{"vertices", mapped.mesh.vertex_count()}, {"triangles", mapped.mesh.face_count()},
-            {"dropped_parts", r.dropped_parts},       {"dropped_faces", r.dropped_faces},
-            {"turned_faces", r.turned_faces},         {"filled_holes", r.filled_holes},
-            {"dropped_vertices", r.dropped_vertices}, {"map", nullptr}};
+  Json j = {{"vertices", vertices_of(mapped)},
+            {"triangles", faces_of(mapped)},
+            {"sample", mapped.sampled ? mapped.sampled->map.sample : 0},
+            {"dropped_parts", r.dropped_parts},
+            {"dropped_faces", r.dropped_faces},
+            {"turned_faces", r.turned_faces},
+            {"filled_holes", r.filled_holes},
+            {"dropped_vertices", r.dropped_vertices},
+            {"map", nullptr}};
   j["parameters"] = mapped.map ? Json("map") : mapped.mesh.uv.empty() ? Json(nullptr) : Json("file");
   j["left_aside"] = mapped.left_aside.empty() ? Json(nullptr) : Json(mapped.left_aside);
   add_openings(j, mapped);

@@ -297,9 +297,10 @@ void add_search_rows(std::vector<OptionRow>& rows) {
                  "that is much less work; default). The verdict is always on all points"}},
        .holds = named(&FitChoices::engine, kEngines),
        .stored = {.form = Form::text, .usual = std::string(name_of(kEngines, usual.engine)), .filled = true},
-       .more = "Of a cloud without parameters 'points' maps every point; 'sample', and 'auto' above 100 000 "
+       .more = "Of meshes, and of clouds without parameters, 'points' maps every point; 'sample', and 'auto' "
+               "above 100 000 "
                "points, "
-               "maps 30 000, and the worst of the others join them."});
+               "maps 20 000, and the worst of the others join them."});
   rows.push_back(
       {.names = "--max-control-points",
        .value = "N",

@@ -81,7 +81,7 @@ CubicGrid finest(std::span<const double> points, Index most) {
   double side = 0;
   for (int c = 0; c < 3; ++c) side = std::max(side, high[c] - grid.low[c]);
   if (!(side > 0)) return grid;
-  const double room = side * (1 + 1e-9);  // the farthest point lies in the last cell
+  const double room = side * (1 + 1e-9);              // the farthest point lies in the last cell
   Index cells = 1, too_many = Index{1} << kMostBits;  // along the longest side
   while (too_many - cells > std::max<Index>(1, cells / 128)) {
     const Index middle = cells < 64 ? std::min(2 * cells, (cells + too_many) / 2) : (cells + too_many) / 2;

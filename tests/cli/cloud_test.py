@@ -49,16 +49,16 @@ class ManyPoints(CloudTest):
         return self.write_xyz("many.csv", [(0.8 * u - 0.6 * wave(u, v), v, 0.6 * u + 0.8 * wave(u, v)) for u, v in scattered(count)])
 
     def test_a_sample_is_mapped_and_all_are_judged(self):
-        self.write_many(32000)
+        self.write_many(22000)
         report = self.run_json("fit", "many.csv", "--engine", "sample", "--tol", "2%", "-o", "s.json", "-o", "errors.csv", "-o", "map.png")
         cloud = report["input"]["cloud"]
-        self.assertTrue(5000 < cloud["sample"] <= 30000)
+        self.assertTrue(5000 < cloud["sample"] <= 20000)
         self.assertEqual(report["sample"], cloud["sample"])
-        self.assertEqual((cloud["points"], report["input"]["points"]), (32000, 32000))
-        self.assertIn(f"of 32000 points a sample of {cloud['sample']} is mapped", cloud["description"])
+        self.assertEqual((cloud["points"], report["input"]["points"]), (22000, 22000))
+        self.assertIn(f"of 22000 points a sample of {cloud['sample']} is mapped", cloud["description"])
         self.assertTrue(report["reached"])
         rows = self.read_csv((self.folder / "errors.csv").read_text())
-        self.assertEqual(len(rows), 32000)
+        self.assertEqual(len(rows), 22000)
         self.assertEqual(max(r["error"] for r in rows), report["error"]["max"])
         self.assertLessEqual(report["error"]["max"], report["tolerance"]["value"])
         far = self.run_json("distance", "s.json", "many.csv")

@@ -286,6 +286,32 @@ class Fit(MeshTest):
         self.assertEqual(new["input"]["mesh"]["map"]["flipped"], 0)
 
 
+class ManyVertices(MeshTest):
+    def test_a_sample_is_mapped_and_every_vertex_is_judged(self):
+        self.write_sheet(n=150)
+        self.write("sheet.obj", (self.folder / "sheet.obj").read_text() + "v 0.5 0.5 3\n")  # without a face
+        report = self.run_json("fit", "sheet.obj", "--engine", "sample", "--tol", "2%", "-o", "s.json", "-o", "errors.csv", "-o", "map.png",
+                               status=3)
+        mesh = report["input"]["mesh"]
+        self.assertEqual((mesh["vertices"], mesh["triangles"]), (151 * 151, 2 * 150 * 150))
+        self.assertTrue(5000 < mesh["sample"] < 21000)
+        self.assertEqual(report["input"]["points"], 151 * 151)
+        self.assertEqual(report["sample"], mesh["sample"])
+        self.assertEqual(report["status"], "not_reached")  # the loose vertex counts
+        self.assertLessEqual(report["error"]["max"], report["tolerance"]["value"])
+        rows = self.read_csv((self.folder / "errors.csv").read_text())
+        self.assertEqual(len(rows), 151 * 151 + 1)
+        self.assertEqual(max(r["error"] for r in rows[:-1]), report["error"]["max"])
+        self.assertGreater(rows[-1]["error"], 2)
+        back = self.run_json("distance", "s.json", "sheet.obj")["surface_to_mesh"]
+        self.assertAlmostEqual(back["max"], report["correction"]["surface_to_mesh"]["max"], delta=0.05 * back["max"])
+
+    def test_what_is_given_stays_whole(self):
+        self.write_sheet(n=30)
+        report = self.run_json("fit", "sheet.obj", "--engine", "sample", "--control-points", "6")
+        self.assertEqual(report["input"]["mesh"]["sample"], 0)
+
+
 class Outputs(MeshTest):
     def test_surfaces_as_meshes(self):
         self.write_points()

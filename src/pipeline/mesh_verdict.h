@@ -1,6 +1,5 @@
-// Distances to the surface as the errors of a result.
+// Distances to the surface as the errors of a result, and the verdict on them.
 #pragma once
-#include <string>
 #include <vector>
 
 #include "knotfit/fit_mesh.h"
@@ -10,11 +9,15 @@ namespace knotfit {
 /// the tolerance where there is one, are in its result.
 /// \param points  at the corrected parameters
 /// \param signed_distances  n, of the points  \param feet  n x 2, of their closest points of the surface
-/// \return false: de Boor's algorithm at the feet finds other distances
+/// \return false: de Boor's algorithm at the feet finds other distances; the result says so
 bool take_distances(MeshFit& fit, ParameterizedPoints points, std::vector<double> signed_distances,
                     std::vector<double> feet);
 
-/// What a result says where that check failed.
-std::string failed_check(const FitResult& result);
+/// The tolerance, by the errors.
+bool holds_tolerance(const MeshFit& fit);
+
+/// Status, measured, reached, notes and message, from the errors, the folds and the distances to the mesh. The status
+/// so far is the search's.
+void give_verdict(MeshFit& fit, const FitOptions& options);
 
 }  // namespace knotfit

@@ -1,4 +1,4 @@
-#include "knotfit/fit_cloud.h"
+#include "knotfit/fit_sample.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "knotfit/closest_point.h"
 #include "knotfit/exceptions.h"
+#include "parameterize/mesh_support.h"
 #include "support/expect_throw.h"
 #include "support/random_splines.h"
 namespace knotfit::test {
@@ -16,7 +17,7 @@ namespace {
 using Points = std::vector<double>;
 
 /// A turned wave over the unit square. \param bump  height of a narrow bump that few points see
-Points sheet(int count, double bump = 0) {
+Points scattered(int count, double bump = 0) {
   Random random(5);
   Points p;
   for (int k = 0; k < count; ++k) {
@@ -28,9 +29,9 @@ Points sheet(int count, double bump = 0) {
   return p;
 }
 
-CloudSource source(const Points& points) {
-  return {points,
-          [](std::span<const double> some, std::span<const Index>) { return parameterize_cloud(some); }};
+SampleSource source(const Points& points) {
+  return cloud_source(
+      points, [](std::span<const double> some, std::span<const Index>) { return parameterize_cloud(some); });
 }
 
 FitOptions to_tolerance(double value, ErrorMeasure measure = ErrorMeasure::max, double share = 1) {
@@ -39,13 +40,13 @@ FitOptions to_tolerance(double value, ErrorMeasure measure = ErrorMeasure::max, 
   return options;
 }
 
-CloudFit fit(const Points& points, Index most, const FitOptions& options) {
-  const CloudSource cloud = source(points);
-  return fit_cloud(cloud, most, map_sample(cloud, most), options);
+SampleFit fit(const Points& points, Index most, const FitOptions& options) {
+  const SampleSource cloud = source(points);
+  return fit_sample(cloud, most, map_sample(cloud, most), options);
 }
 
 /// Every point of the cloud once, with its own coordinates, and the error that the surface has there.
-void expect_all_judged(const CloudFit& fitted, const Points& points) {
+void expect_all_judged(const SampleFit& fitted, const Points& points) {
   const MeshFit& f = fitted.fit;
   const auto n = static_cast<Index>(points.size()) / 3;
   ASSERT_EQ(f.points.size(), n);
@@ -61,11 +62,11 @@ void expect_all_judged(const CloudFit& fitted, const Points& points) {
   EXPECT_EQ(f.result.error.max, *std::max_element(f.result.errors.begin(), f.result.errors.end()));
 }
 
-TEST(FitCloud, ASampleIsFittedAndAllPointsAreJudged) {
-  const Points points = sheet(12000);
+TEST(FitSample, ASampleIsFittedAndAllPointsAreJudged) {
+  const Points points = scattered(12000);
   FitOptions options = to_tolerance(0.2);  // %
   options.tolerance->relative = true;
-  const CloudFit f = fit(points, 1500, options);
+  const SampleFit f = fit(points, 1500, options);
   expect_all_judged(f, points);
   const FitResult& r = f.fit.result;
   EXPECT_EQ(r.status, Status::reached);
@@ -78,19 +79,19 @@ TEST(FitCloud, ASampleIsFittedAndAllPointsAreJudged) {
   EXPECT_LE(r.surface.control_point_count(), 100);
 }
 
-TEST(FitCloud, WhatTheSampleDoesNotSeeJoinsIt) {
+TEST(FitSample, WhatTheSampleDoesNotSeeJoinsIt) {
   const Points points =
-      sheet(12000, 0.03);  // a bump of 40 points or so, of which a sample of 250 has one or none
-  const CloudFit f = fit(points, 250, to_tolerance(0.012));
+      scattered(12000, 0.03);  // a bump of 40 points or so, of which a sample of 250 has one or none
+  const SampleFit f = fit(points, 250, to_tolerance(0.012));
   expect_all_judged(f, points);
   EXPECT_TRUE(f.fit.result.reached) << f.fit.result.message;
   EXPECT_GT(f.rounds, 1);
   EXPECT_GT(f.map.sample, map_sample(source(points), 250).sample);
 }
 
-TEST(FitCloud, APercentileIsOfAllPoints) {
-  const Points points = sheet(12000, 0.02);
-  const CloudFit f = fit(points, 600, to_tolerance(0.001, ErrorMeasure::percentile, 0.99));
+TEST(FitSample, APercentileIsOfAllPoints) {
+  const Points points = scattered(12000, 0.02);
+  const SampleFit f = fit(points, 600, to_tolerance(0.001, ErrorMeasure::percentile, 0.99));
   expect_all_judged(f, points);
   const FitResult& r = f.fit.result;
   EXPECT_EQ(r.tolerance, 0.001);
@@ -99,41 +100,87 @@ TEST(FitCloud, APercentileIsOfAllPoints) {
   EXPECT_TRUE(r.reached) << r.message;
 }
 
-TEST(FitCloud, AnRmsTightensUntilAllPointsHoldIt) {
-  const Points points = sheet(12000, 0.03);
-  const CloudFit f = fit(points, 250, to_tolerance(0.0015, ErrorMeasure::rms));
+TEST(FitSample, AnRmsTightensUntilAllPointsHoldIt) {
+  const Points points = scattered(12000, 0.03);
+  const SampleFit f = fit(points, 250, to_tolerance(0.0015, ErrorMeasure::rms));
   expect_all_judged(f, points);
   EXPECT_EQ(f.fit.result.reached, f.fit.result.error.rms <= 0.0015);
   EXPECT_TRUE(f.fit.result.reached) << f.fit.result.message;
 }
 
-TEST(FitCloud, AFixedSizeIsFittedOnce) {
-  const Points points = sheet(8000, 0.05);
+TEST(FitSample, AFixedSizeIsFittedOnce) {
+  const Points points = scattered(8000, 0.05);
   FitOptions options;
   options.control_points_u = 7;
   options.control_points_v = 6;
-  const CloudFit f = fit(points, 500, options);
+  const SampleFit f = fit(points, 500, options);
   expect_all_judged(f, points);
   EXPECT_EQ(f.rounds, 1);
   EXPECT_EQ(f.fit.result.status, Status::fixed_size);
   EXPECT_EQ(f.fit.result.surface.control_point_count(), 42);
 }
 
-TEST(FitCloud, AToleranceOutOfReachIsNotReached) {
-  Points points = sheet(8000);
+TEST(FitSample, AToleranceOutOfReachIsNotReached) {
+  Points points = scattered(8000);
   Random random(9);
   for (double& x : points) x += 1e-2 * (random.unit() - 0.5);
   FitOptions options = to_tolerance(1e-3);
   options.max_control_points = 100;
-  const CloudFit f = fit(points, 500, options);
+  const SampleFit f = fit(points, 500, options);
   expect_all_judged(f, points);
   EXPECT_FALSE(f.fit.result.reached);
   EXPECT_NE(f.fit.result.status, Status::reached);
   EXPECT_GT(f.fit.result.measured, 1e-3);
 }
 
+/// A wavy sheet of n x n cells with a bump between the vertices of any sample.
+Mesh fine_sheet(int n) {
+  return sheet(n, n, 1, 1, [](double x, double y) {
+    return 0.2 * std::sin(3 * x) * std::cos(2 * y) +
+           0.03 * std::exp(-(std::pow(x - 0.62, 2) + std::pow(y - 0.41, 2)) / 1e-3);
+  });
+}
+
+/// Without the faces within 0.1 of the middle.
+Mesh mesh_without_middle(Mesh mesh) {
+  std::erase_if(mesh.faces, [&](const std::array<std::int32_t, 3>& f) {
+    return std::any_of(f.begin(), f.end(), [&](std::int32_t v) {
+      return std::hypot(mesh.vertex(v)[0] - 0.5, mesh.vertex(v)[1] - 0.5) < 0.1;
+    });
+  });
+  return mesh;
+}
+
+MeshMap plain_map(const Mesh& mesh) {
+  return parameterize_mesh(mesh, {.corners = CornerRule::sharpest, .omega = 0, .newton = false});
+}
+
+TEST(FitSample, OfAMeshEveryVertexIsJudgedAndTheDistanceBackIsToAllOfIt) {
+  const Mesh mesh = fine_sheet(90);
+  const SampleSource source = mesh_source(mesh, plain_map);
+  const CloudMap map = map_sample(source, 500);
+  EXPECT_LT(map.sample, 500 + 4 * 90 + 100);  // the border stays
+  EXPECT_NO_THROW(require_disk(map.mesh));
+  const SampleFit f = fit_sample(source, 500, map, to_tolerance(0.006));
+  expect_all_judged(f, mesh.vertices);
+  EXPECT_TRUE(f.fit.result.reached) << f.fit.result.message;
+  const DistanceSummary back = mesh_distances(f.fit.result.surface, mesh, {}, 300);
+  EXPECT_NEAR(f.fit.to_mesh.max, back.max, 0.02 * back.max);
+}
+
+TEST(FitSample, OfAMeshVerticesOfVirtualFacesAloneAreNoData) {
+  Mesh mesh = fine_sheet(40);
+  RepairedMesh repaired = repair(mesh_without_middle(mesh), {.fill_holes = true});
+  const SampleSource source = mesh_source(repaired.mesh, plain_map);
+  EXPECT_EQ(static_cast<Index>(source.points.size()) / 3, repaired.mesh.vertex_count() - 1);
+  FitOptions options;
+  options.control_points_u = options.control_points_v = 6;
+  const SampleFit f = fit_sample(source, 200, map_sample(source, 200), options);
+  EXPECT_EQ(f.fit.points.size(), repaired.mesh.vertex_count() - 1);
+}
+
 TEST(MapSample, NumbersAreThoseOfTheCloud) {
-  const Points points = sheet(5000);
+  const Points points = scattered(5000);
   const std::vector<Index> also{17, 4999};
   const CloudMap map = map_sample(source(points), 300, also);
   EXPECT_EQ(map.points, 5000);
@@ -150,12 +197,12 @@ TEST(MapSample, NumbersAreThoseOfTheCloud) {
 }
 
 TEST(MapSample, AllPointsAreNoSample) {
-  const Points points = sheet(300);
+  const Points points = scattered(300);
   EXPECT_EQ(map_sample(source(points), 300).sample, 0);
 }
 
 TEST(MapSample, RefusesWhatIsNoCloud) {
-  Points points = sheet(100);
+  Points points = scattered(100);
   expect_throw<InvalidInput>([&] { map_sample(source(points), 3); }, "at least 4");
   const std::vector<Index> beyond{100};
   expect_throw<InvalidInput>([&] { map_sample(source(points), 50, beyond); }, "no point 100");

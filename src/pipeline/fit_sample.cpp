@@ -1,20 +1,16 @@
-#include "knotfit/fit_cloud.h"
-
-#include <fmt/format.h>
+#include "knotfit/fit_sample.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/deadline.h"
 #include "base/uniform_cell.h"
-#include "data/spaced_sample.h"
 #include "fit/error_measure.h"
 #include "knotfit/distance.h"
 #include "knotfit/exceptions.h"
-#include "pipeline/distances.h"
-#include "pipeline/message.h"
+#include "pipeline/corrected_fit.h"
+#include "pipeline/mesh_verdict.h"
 #include "pipeline/request.h"
-#include "pipeline/verdict.h"
 namespace knotfit {
 namespace {
 
@@ -22,30 +18,7 @@ constexpr int kMostExchanges = 4;
 constexpr Index kCells = 32;        // a direction of the square: the worst point of each joins
 constexpr double kJoinAbove = 0.9;  // of the tolerance
 constexpr double kTighter = 0.98;   // of what is missing
-
-std::vector<Index> merged(std::vector<Index> sample, std::span<const Index> also) {
-  sample.insert(sample.end(), also.begin(), also.end());
-  std::sort(sample.begin(), sample.end());
-  sample.erase(std::unique(sample.begin(), sample.end()), sample.end());
-  return sample;
-}
-
-std::vector<double> gathered(std::span<const double> points, std::span<const Index> index) {
-  std::vector<double> some;
-  some.reserve(3 * index.size());
-  for (const Index k : index) some.insert(some.end(), &points[3 * k], &points[3 * k] + 3);
-  return some;
-}
-
-CloudMap lay_out(const CloudSource& cloud, std::span<const Index> index) {
-  const std::vector<double> some = gathered(cloud.points, index);
-  CloudMap map = cloud.lay(some, index);
-  for (Index& line : map.mesh.vertex_line)
-    if (line > 0) line = index[line - 1] + 1;
-  map.points = static_cast<Index>(cloud.points.size()) / 3;
-  map.sample = static_cast<Index>(index.size()) < map.points ? static_cast<Index>(index.size()) : 0;
-  return map;
-}
+constexpr double kTightest = 0.97;  // a round, where points join
 
 /// Numbers, from 0, of the points that are no vertices of real triangles.
 std::vector<Index> beside(const ParameterizedPoints& fitted, Index count) {
@@ -55,6 +28,18 @@ std::vector<Index> beside(const ParameterizedPoints& fitted, Index count) {
   for (Index k = 0; k < count; ++k)
     if (there[k] == 0) others.push_back(k);
   return others;
+}
+
+/// Of the vertices of the whole mesh: those of their points. Vertices that are no points, of virtual faces alone, have none
+/// that counts.
+std::vector<double> parameters_of_vertices(const MeshFit& fit, const Mesh& mesh) {
+  std::vector<Index> at(fit.points.source.size() + 1, -1);
+  for (Index k = 0; k < fit.points.size(); ++k) at[fit.points.source[k]] = k;
+  std::vector<double> uv(static_cast<std::size_t>(2 * mesh.vertex_count()), 0.5);
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (const Index number = mesh.vertex_line[v]; number > 0)
+      std::copy_n(&fit.points.uv[2 * at[number]], 2, &uv[2 * v]);
+  return uv;
 }
 
 /// Of each cell of the square the worst of the points from `first` on, where it is beyond what is allowed: its number in the
@@ -77,12 +62,12 @@ std::vector<Index> worst_of_cells(const MeshFit& fit, Index first, double allowe
 /// One fit of a sample, judged by all.
 class Rounds {
  public:
-  Rounds(const CloudSource& cloud, Index most, const FitOptions& options, const CorrectionOptions& correction,
-         const Control& control)
-      : cloud_(cloud), most_(most), options_(options), correction_(correction), deadline_(control) {
+  Rounds(const SampleSource& source, Index most, const FitOptions& options,
+         const CorrectionOptions& correction, const Control& control)
+      : source_(source), most_(most), options_(options), correction_(correction), deadline_(control) {
     ParameterizedPoints all;
     all.dimension = 3;
-    all.values.assign(cloud.points.begin(), cloud.points.end());
+    all.values.assign(source.points.begin(), source.points.end());
     all.uv.resize(2 * all.values.size() / 3);
     diagonal_ = bounding_diagonal(all);
     if (!options_.tolerance) return;
@@ -91,12 +76,12 @@ class Rounds {
     options_.tolerance->value = asked_.value;
   }
 
-  CloudFit run(CloudMap map) {
-    CloudFit last = fit(std::move(map)), best = last;
+  SampleFit run(CloudMap map) {
+    SampleFit last = fit(std::move(map)), best = last;
     int rounds = 1;
     while (rounds <= kMostExchanges && exchange(last)) {
       try {
-        map = map_sample(cloud_, most_, also_);
+        map = map_sample(source_, most_, also_);
       } catch (const InvalidInput&) {
         break;  // the points that joined make no sheet
       }
@@ -110,57 +95,54 @@ class Rounds {
   }
 
  private:
-  CloudFit fit(CloudMap map) {
-    CloudFit made;
+  SampleFit fit(CloudMap map) {
+    SampleFit made;
     made.map = std::move(map);
-    made.fit = fit_mesh(made.map.mesh, made.map.map, options_, correction_, deadline_.left());
+    CorrectedFit found = corrected_fit(made.map.mesh, made.map.map, options_, correction_, deadline_.left());
+    made.fit = std::move(found.fit);
     FitResult& r = made.fit.result;
-    holds_on_sample_ = r.reached;
+    r.sample = made.map.sample;
+    r.diagonal = diagonal_;
+    holds_on_sample_ = holds_tolerance(made.fit) && !folds_over(made.fit.correction.folds);
     mapped_ = made.fit.points.size();
     if (r.surface.empty() || r.status == Status::failed) return made;
+    r.asked = asked_;
+    r.tolerance = asked_.value;
     ParameterizedPoints all = made.fit.points;
     for (const Index k : beside(all, made.map.points)) {
-      all.values.insert(all.values.end(), &cloud_.points[3 * k], &cloud_.points[3 * k] + 3);
+      all.values.insert(all.values.end(), &source_.points[3 * k], &source_.points[3 * k] + 3);
       all.source.push_back(k + 1);
     }
     PointDistances distances = point_distances(r.surface, all.values);
     all.uv.insert(all.uv.end(), distances.uv.begin() + 2 * mapped_, distances.uv.end());
-    r.sample = made.map.sample;
-    r.diagonal = diagonal_;
-    r.asked = asked_;
-    r.tolerance = asked_.value;
     made.fit.correction.distance = distances.summary;
     if (!take_distances(made.fit, std::move(all), std::move(distances.signed_distances),
-                        std::move(distances.uv))) {
-      r.status = Status::failed;
-      r.message = failed_check(r);
+                        std::move(distances.uv)))
       return made;
-    }
-    const bool asked = asked_.value > 0, folded = folds_over(made.fit.correction.folds);
-    r.measured = asked ? measured_error(r.errors, asked_) : r.error.max;
-    const bool holds = asked && r.measured <= asked_.value;
-    r.reached = holds && !folded;
-    r.status = status_of({r.status, !has_size_or_knots(options_), asked, holds, false, folded});
-    r.message = message_of(r, made.fit.points.size());
+    if (source_.mesh && !deadline_.stopped())
+      made.fit.to_mesh =
+          mesh_distances(r.surface, *source_.mesh, parameters_of_vertices(made.fit, *source_.mesh), 300);
+    give_verdict(made.fit, options_);
     return made;
   }
 
   /// Prepares the next round. \return false: there is none
-  bool exchange(const CloudFit& last) {
+  bool exchange(const SampleFit& last) {
     const FitResult& r = last.fit.result;
     if (!(asked_.value > 0) || r.reached || !holds_on_sample_ || r.status == Status::failed ||
         last.map.sample == 0 || deadline_.over())
       return false;
-    if (!row_of(asked_.measure).every_point) {
-      options_.tolerance->value *= kTighter * asked_.value / r.measured;
-      return true;
-    }
+    const bool every_point = row_of(asked_.measure).every_point;
+    // What is missing: of a maximum a little, since what joins brings the rest.
+    const double missing = asked_.value / r.measured;
+    options_.tolerance->value *= every_point ? std::max(missing, kTightest) : kTighter * missing;
+    if (!every_point) return true;
     const std::vector<Index> joining = worst_of_cells(last.fit, mapped_, kJoinAbove * asked_.value);
-    also_ = merged(std::move(also_), joining);
+    also_.insert(also_.end(), joining.begin(), joining.end());
     return !joining.empty();
   }
 
-  const CloudSource& cloud_;
+  const SampleSource& source_;
   Index most_;
   FitOptions options_;
   CorrectionOptions correction_;
@@ -175,24 +157,9 @@ class Rounds {
 
 }  // namespace
 
-CloudMap map_sample(const CloudSource& cloud, Index most, std::span<const Index> also) {
-  const auto n = static_cast<Index>(cloud.points.size()) / 3;
-  if (cloud.points.size() % 3 != 0)
-    throw InvalidInput(fmt::format("{} coordinates are no points in space", cloud.points.size()));
-  for (std::size_t k = 0; k < cloud.points.size(); ++k)
-    if (!(std::abs(cloud.points[k]) < 1e150))
-      throw InvalidInput(
-          fmt::format("point {} (from 1): coordinate {} is not finite or beyond what distances can hold",
-                      k / 3 + 1, cloud.points[k]));
-  if (most < 4) throw InvalidInput(fmt::format("a sample of {} points: a surface needs at least 4", most));
-  for (const Index k : also)
-    if (k < 0 || k >= n) throw InvalidInput(fmt::format("there is no point {} (from 0) among {}", k, n));
-  return lay_out(cloud, merged(spaced_sample(cloud.points, most), also));
-}
-
-CloudFit fit_cloud(const CloudSource& cloud, Index most, CloudMap map, const FitOptions& options,
-                   const CorrectionOptions& correction, const Control& control) {
-  return Rounds(cloud, most, options, correction, control).run(std::move(map));
+SampleFit fit_sample(const SampleSource& source, Index most, CloudMap map, const FitOptions& options,
+                     const CorrectionOptions& correction, const Control& control) {
+  return Rounds(source, most, options, correction, control).run(std::move(map));
 }
 
 }  // namespace knotfit
