@@ -85,7 +85,7 @@ void drop_vertices_of(Mesh& mesh, const std::vector<char>& had_face) {
 DoubledFaces drop_doubled_faces(Mesh& mesh) {
   DoubledFaces out;
   if (mesh.faces.empty()) return out;
-  MeshTopology{mesh};  // throws where corners or coordinates are not sound
+  const MeshTopology sound(mesh);  // throws where corners or coordinates are not sound
   const std::vector<std::int32_t> place = places_of(mesh);
   Mesh at_places;
   at_places.vertices = mesh.vertices;

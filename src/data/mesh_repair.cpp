@@ -125,7 +125,7 @@ void keep_vertices(Mesh& mesh, const std::vector<char>& keep) {
 }
 
 RepairedMesh repair(const Mesh& mesh, const MeshRepair& options) {
-  MeshTopology{mesh};  // throws where corners or coordinates are not sound
+  const MeshTopology sound(mesh);  // throws where corners or coordinates are not sound
   check_sizes(mesh);
   RepairedMesh out{.mesh = mesh, .kept = {}, .summary = {}};
   const auto require_faces = [&] {

@@ -1,9 +1,9 @@
 // STL, text and binary: triangles alone, whose equal corners become one vertex.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "formats/binary_number.h"
 #include "formats/mesh_builder.h"
@@ -50,9 +50,13 @@ class Welder {
     }
     return static_cast<std::size_t>(h);
   }
+  static bool same_bits(const double* a, const double* b) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    return std::equal(a, a + 3, b, [&](double x, double y) { return bits(x) == bits(y); });
+  }
   std::size_t slot_of(const double* place) const {
     std::size_t at = hash(place) & (slots_.size() - 1);
-    while (slots_[at] >= 0 && std::memcmp(builder_.vertex(slots_[at]), place, 3 * sizeof(double)) != 0)
+    while (slots_[at] >= 0 && !same_bits(place, builder_.vertex(slots_[at])))
       at = (at + 1) & (slots_.size() - 1);
     return at;
   }

@@ -344,6 +344,7 @@ class Opener {
   void see_values(std::size_t at, ColumnValues& values) const {
     std::vector<double> row(static_cast<std::size_t>(values.columns()));
     std::vector<double*> into;
+    into.reserve(row.size());
     for (double& x : row) into.push_back(&x);
     TextLine line = ahead_[at].line;
     LineReader lines = ahead_[at].after;

@@ -89,6 +89,7 @@ Inside inside(const Mesh& mesh, const std::vector<std::array<std::int32_t, 2>>& 
     if (std::abs(flat[0]) < reach && std::abs(flat[1]) < reach) at.push_back(flat);
   }
   std::vector<Place> places;
+  places.reserve(at.size());
   const double scale = std::ldexp(1, kGridBits - 1) / reach;
   for (const Point& p : at)
     places.push_back({std::llround((p[0] + reach) * scale), std::llround((p[1] + reach) * scale)});
@@ -149,6 +150,7 @@ double Spacing::at(std::int32_t vertex) const {
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   std::vector<double> radii;
+  radii.reserve(faces.size());
   for (const std::int32_t f : faces) radii.push_back(radius_[f]);
   const auto half = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), half, radii.end());

@@ -25,7 +25,7 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
   }
   if (options.control_points_u > 0 || options.control_points_v > 0) {
     PlacementOptions place;
-    static_cast<KnotOptions&>(place) = options;
+    static_cast<KnotOptions&>(place) = static_cast<const KnotOptions&>(options);
     place.interior_u = options.control_points_u - options.degree_u - 1;
     place.interior_v = options.control_points_v - options.degree_v - 1;
     place.energy = keeping.energy;
@@ -41,7 +41,7 @@ Chosen choose_at_degree(const ParameterizedPoints& inside, const FitOptions& opt
     return chosen;
   }
   RefineOptions refine;
-  static_cast<SearchOptions&>(refine) = options;
+  static_cast<SearchOptions&>(refine) = static_cast<const SearchOptions&>(options);
   refine.tolerance = tolerance;
   refine.noise = noise;
   refine.energy = keeping.energy;

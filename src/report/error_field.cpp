@@ -11,8 +11,8 @@ Index cell_of(double t, Index size) {
 }
 
 double squared_distance(Index a, Index b, Index size) {
-  const double i = static_cast<double>(a / size - b / size), j = static_cast<double>(a % size - b % size);
-  return i * i + j * j;
+  const Index i = a / size - b / size, j = a % size - b % size;
+  return static_cast<double>(i * i + j * j);
 }
 
 // The nearest cell with a value, for every cell, by two sweeps [Danielsson80]; -1 where all are empty.

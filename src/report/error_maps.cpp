@@ -128,8 +128,9 @@ std::string draw_error_maps(const std::vector<ComparedSurface>& surfaces, const 
   // No wider apart than they are wide: headings stand nearer to their own panel than to the next.
   const double across = std::min(room.width / columns, 1.25 * side + gap), left = 1.2 * em;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
-    const double x = left + across * static_cast<double>(k % columns);
-    const double y = room.y + (side + label + gap) * static_cast<double>(k / columns);
+    const std::size_t row = k / columns, column = k % columns;
+    const double x = left + across * static_cast<double>(column);
+    const double y = room.y + (side + label + gap) * static_cast<double>(row);
     canvas.text({x, y + em}, canvas.shortened(surfaces[k].name, side, 0.95 * em, true),
                 {.size = 0.95 * em, .bold = true, .paint = {kInk}});
     canvas.text({x, y + 2.1 * em}, canvas.shortened(surfaces[k].remark, side, 0.8 * em),

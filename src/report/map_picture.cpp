@@ -49,7 +49,7 @@ void draw_scale(Canvas& canvas, const MapContent& c, const Box& box, double em) 
     marks.insert(marks.end(), {{x, bar.bottom()}, {x, bar.bottom() + 0.3 * em}});
     if (k % every != 0) continue;
     std::string text = power_text(k);
-    if (c.clipped && std::abs(k) == most) text = (k < 0 ? "≤ " : "≥ ") + text;
+    if (c.clipped && std::abs(k) == most) text.insert(0, k < 0 ? "≤ " : "≥ ");
     canvas.text({x, bar.bottom() + 0.55 * em}, text,
                 {.size = 0.82 * em, .paint = {kQuiet}, .horizontal = Align::middle, .vertical = Align::end});
   }

@@ -87,7 +87,7 @@ FittedCurve CurveFitter::fit(const std::vector<double>& knots, const Energy& ene
 
 std::vector<double> CurveFitter::place(CurveProblem& problem, Index control_points, const Energy& energy) {
   PlacementOptions place;
-  static_cast<KnotOptions&>(place) = options_;
+  static_cast<KnotOptions&>(place) = static_cast<const KnotOptions&>(options_);
   // A period has as many knots as control points, the seam one of them.
   place.interior_u =
       static_cast<int>(points_.closed ? control_points - 1 : control_points - options_.degree_u - 1);

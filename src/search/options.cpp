@@ -4,7 +4,7 @@ namespace knotfit {
 
 PlacementOptions placement_options(const RefineOptions& options) {
   PlacementOptions placement;
-  static_cast<KnotOptions&>(placement) = options;
+  static_cast<KnotOptions&>(placement) = static_cast<const KnotOptions&>(options);
   placement.energy = options.energy;
   placement.keep_by = options.tolerance;
   return placement;

@@ -140,6 +140,7 @@ class SizeSearch {
       }
     std::sort(list.begin(), list.end());
     std::vector<Spans> result;
+    result.reserve(list.size());
     for (const auto& entry : list) result.push_back(entry.second);
     return result;
   }

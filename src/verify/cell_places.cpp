@@ -37,6 +37,7 @@ std::vector<std::array<double, 2>> cell_places(const Surface& surface, const Par
   });
   cells.resize(std::min(cells.size(), static_cast<std::size_t>(std::max<Index>(0, count))));
   std::vector<std::array<double, 2>> places;
+  places.reserve(cells.size());
   for (const Cell& cell : cells) places.push_back(cell.middle);
   return places;
 }

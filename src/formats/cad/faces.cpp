@@ -57,7 +57,7 @@ Handle(Geom_BSplineSurface) spline_of(const TopoDS_Face& face) {
     return GeomConvert::SurfaceToBSplineSurface(geometry);
   const auto spline = Handle(Geom_BSplineSurface)::DownCast(geometry);
   if (spline.IsNull()) return {};
-  const auto copy = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
+  auto copy = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
   if (copy->IsUPeriodic()) copy->SetUNotPeriodic();
   if (copy->IsVPeriodic()) copy->SetVNotPeriodic();
   return copy;

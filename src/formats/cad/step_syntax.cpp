@@ -152,9 +152,7 @@ class Scanner {
       while (p_ < end_ && *p_ != '"');
       if (p_ == end_) fail("a binary value has no end");
       ++p_;
-    } else if (c == '(') {
-      list(depth + 1);
-    } else if (!keyword().empty()) {  // of a named type
+    } else if (c == '(' || !keyword().empty()) {  // a list, of a named type or not
       list(depth + 1);
     } else {
       fail(in_quotes({p_, 1}) + " in place of a value");
