@@ -98,6 +98,8 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
   }
   const bool anew = choices.new_parameters.value_or(false);
   if ((!mesh && !anew) || points.dimension != 3) return points;
+  if (corrected(choices) && !points.weights.empty())
+    throw InvalidInput("--correct knows no weights of the points: leave column w out, with - in --columns");
   mapped = map_points(points, in_rows, choices, control);
   ParameterizedPoints of_mesh = mesh_points(mapped->mesh, mapped->map->uv);
   mapped->loose = left_out_of(points.size(), points.source, of_mesh.source, [&](Index k) {

@@ -43,12 +43,19 @@ struct Outcome {
   }
 };
 
-/// (outcome or None, exception or None).
+using Shared = std::shared_ptr<Outcome>;
+
+py::object surface_or_none(const Shared& outcome) {
+  return outcome->run.result.surface.empty() ? py::object(py::none()) : py::cast(outcome);
+}
+
+/// (outcome or None, exception or None, None); where the work goes on after an exception, (None, it, a call that waits
+/// and gives the outcome or None).
 py::tuple fit(Source& source, const Texts& texts, const std::string& stored,
               const std::optional<Array>& feature, int threads, const py::object& progress,
               const std::string& call) {
   const auto start = Clock::now();
-  auto outcome = std::make_unique<Outcome>();
+  auto outcome = std::make_shared<Outcome>();
   outcome->choices = complete_texts(texts, stored, outcome->default_tolerance).choices;
   outcome->call = call;
   outcome->rows = source.rows;
@@ -56,16 +63,28 @@ py::tuple fit(Source& source, const Texts& texts, const std::string& stored,
   if (feature)
     extras.features = {.size_u = feature->shape(0), .size_v = feature->shape(1), .f = vector_of(*feature)};
   const double limit = outcome->choices.time_limit.value_or(0);
-  const py::object raised =
-      run({.threads = threads, .time_limit = limit, .progress = progress}, [&](const Control& control) {
-        outcome->input = input_of(source, outcome->choices, control);
-        if (control.stop.stop_requested()) return;
-        const Control left = outcome->input.mesh ? time_left(control, start) : control;
-        outcome->run = tool::fit_input(outcome->input, outcome->choices, extras, left);
-      });
-  outcome->seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (outcome->run.result.surface.empty()) return py::make_tuple(py::none(), raised);
-  return py::make_tuple(py::cast(std::move(outcome)), raised);
+  auto data = std::make_shared<Source>(std::move(source));
+  Work work({.threads = threads, .time_limit = limit, .progress = progress},
+            [outcome, data, extras, start](const Control& control) {
+              outcome->input = input_of(*data, outcome->choices, control);
+              if (control.stop.stop_requested()) return;
+              const Control left = outcome->input.mesh ? time_left(control, start) : control;
+              outcome->run = tool::fit_input(outcome->input, outcome->choices, extras, left);
+              outcome->seconds = std::chrono::duration<double>(Clock::now() - start).count();
+            });
+  const py::object raised = work.watch(progress);
+  if (work.ended()) {
+    if (raised.is_none()) work.wait();  // throws what it threw
+    return py::make_tuple(surface_or_none(outcome), raised, py::none());
+  }
+  return py::make_tuple(py::none(), raised, py::cpp_function([work, outcome]() mutable {
+                          const py::object again = work.wait();
+                          if (!again.is_none()) {
+                            PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(again.ptr())), again.ptr());
+                            throw py::error_already_set();
+                          }
+                          return surface_or_none(outcome);
+                        }));
 }
 
 SurfaceDocument document(const Outcome& o) {
@@ -158,7 +177,7 @@ py::list thin_places(const Outcome& o) {
 }  // namespace
 
 void bind_fit(py::module_& m) {
-  py::class_<Outcome>(m, "Outcome", "What a fit left, for its report and its files.")
+  py::class_<Outcome, Shared>(m, "Outcome", "What a fit left, for its report and its files.")
       .def_property_readonly("document", &document)
       .def_property_readonly("status",
                              [](const Outcome& o) { return std::string(to_string(o.run.result.status)); })
@@ -172,10 +191,10 @@ void bind_fit(py::module_& m) {
           "text", [](const Outcome& o) { return tool::report_to_text(o.report()); }, "As the tool's summary.")
       .def("save", &save, py::arg("path"), py::arg("force"), py::arg("texts"))
       .def("draw", &draw, py::arg("extension"), py::arg("width"), py::arg("height"), py::arg("reflections"));
-  m.def(
-      "fit", &fit, py::arg("source"), py::arg("texts"), py::arg("stored"), py::arg("feature"),
-      py::arg("threads"), py::arg("progress"), py::arg("call"),
-      "(outcome or None, exception or None): the exception stopped it, and the outcome is the best so far.");
+  m.def("fit", &fit, py::arg("source"), py::arg("texts"), py::arg("stored"), py::arg("feature"),
+        py::arg("threads"), py::arg("progress"), py::arg("call"),
+        "(outcome or None, exception or None, None or a call that waits for the outcome): what stopped it, "
+        "and the best.");
 }
 
 }  // namespace knotfit::python

@@ -47,6 +47,14 @@ void bind_map(py::module_& m) {
   py::class_<Mapped>(m, "Mapped", "Data at its parameters.")
       .def_property_readonly("parameters", &parameters, "(rows, 2) in [0,1], NaN where a row was left out.")
       .def(
+          "points",
+          [](const Mapped& d) {
+            const ParameterizedPoints& p = d.input.points;
+            return py::make_tuple(array_of(std::vector<double>(p.uv), {p.size(), 2}),
+                                  array_of(std::vector<double>(p.values), {p.size(), p.dimension}));
+          },
+          "(parameters (n, 2) in [0,1], values (n, d)) of what would be fitted.")
+      .def(
           "json", [](const Mapped& d) { return d.input.mesh ? tool::mesh_to_json(*d.input.mesh) : "{}"; },
           "As the tool's parameterize --json.")
       .def("cloud_json", [](const Mapped& d) {

@@ -11,7 +11,7 @@ on the number of threads. The whole is told in docs/python.md.
 """
 
 from ._core import FileError, WriteError, __version__
-from ._errors import KnotfitWarning, ToleranceMissed
+from ._errors import Interrupted, KnotfitWarning, ToleranceMissed
 from ._run import Progress
 from .comparison import Comparison, compare
 from .curve import Curve, CurveFit, fit_curve
@@ -23,8 +23,8 @@ from .raster import fit_raster
 from .surface import ClosestPoints, Curvature, Distances, Surface, SurfaceDerivative
 
 __all__ = [
-    "ClosestPoints", "Comparison", "Curvature", "Curve", "CurveFit", "Distances", "FileError", "Fit", "KnotfitWarning",
-    "Knots", "MeshData", "Parameterization", "PointData", "Progress", "RasterData", "Surface", "SurfaceDerivative",
+    "ClosestPoints", "Comparison", "Curvature", "Curve", "CurveFit", "Distances", "FileError", "Fit", "Interrupted",
+    "KnotfitWarning", "Knots", "MeshData", "Parameterization", "PointData", "Progress", "RasterData", "Surface", "SurfaceDerivative",
     "ToleranceMissed", "WriteError", "__version__", "compare", "fit", "fit_curve", "fit_mesh", "fit_raster", "load",
     "methods", "parameterize", "place_knots",
 ]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from . import _core
 
@@ -30,6 +31,35 @@ class ToleranceMissed(RuntimeError):
 
     def __reduce__(self) -> tuple[type, tuple[str, object]]:
         return type(self), (str(self), self.fit)
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during a fit. `best` is what it had found, or None; where that is not ready yet, it is waited for."""
+
+    def __init__(self, *arguments: object, best: object = None, later: Callable[[], object] | None = None) -> None:
+        super().__init__(*arguments)
+        self._best = best
+        self._later = later
+        if later is not None:
+            _unfinished.add(self)
+
+    @property
+    def best(self) -> object:
+        if self._later is not None:
+            self._best, self._later = self._later(), None
+            _unfinished.discard(self)
+        return self._best
+
+
+# Work that was stopped and has not ended: the interpreter does not end before it.
+_unfinished: set[Interrupted] = set()
+
+
+@atexit.register
+def _wait_for_the_last() -> None:
+    for interrupted in list(_unfinished):
+        with contextlib.suppress(Exception, KeyboardInterrupt):
+            interrupted.best  # noqa: B018
 
 
 # A remedy of the library as a keyword of a call; those that are none say what to do.

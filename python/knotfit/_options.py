@@ -14,13 +14,14 @@ from . import _core
 Texts = list[tuple[str, str]]
 
 # Written N x M where two numbers are given.
-_PAIRS = {"control_points", "degree", "cell"}
+_PAIRS = {"control_points", "degree", "cell", "grid"}
+_LISTS = {"columns", "classes", "returns"}
 
 
 @functools.cache
 def rows(command: str) -> dict[str, dict[str, Any]]:
     """Keyword -> row of a command's option."""
-    return {row["keyword"]: row for row in _core.options(command)}
+    return {row["keyword"]: row for row in _core.options(command) if not row["keyword"].startswith("no_")}
 
 
 def _number(name: str, value: Any) -> str:
@@ -76,7 +77,7 @@ def text_of(name: str, value: Any, row: Mapping[str, Any]) -> str | None:
         return "nan"
     if isinstance(value, np.ndarray):
         value = value.tolist()
-    if isinstance(value, Sequence):
+    if isinstance(value, Sequence) and name in _PAIRS | _LISTS:
         if name in _PAIRS and len(value) != 2:
             raise ValueError(f"{name}: takes one number or two, not {len(value)}")
         return ("x" if name in _PAIRS else ",").join(_list(name, value))

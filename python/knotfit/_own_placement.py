@@ -27,7 +27,7 @@ def _tolerance_given(given: Mapping[str, Any], options: Any) -> bool:
 
 
 def fit_with(source: _sources.Input, given: Mapping[str, Any], *, options: Any, threads: int, progress: ProgressLike,
-             on_miss: str, function: str, grid: _sources.Grid | None, level: int) -> Any:
+             on_miss: str, function: str, grid: _sources.Grid | None) -> Any:
     """One fit with a fixed size; else sizes grown until the tolerance holds, then halved between.
 
     Both directions get the same number of control points. A step from one size to the next is 1.3 fold.
@@ -55,7 +55,7 @@ def fit_with(source: _sources.Input, given: Mapping[str, Any], *, options: Any, 
     if "control_points" in given:
         a, b = np.broadcast_to(np.asarray(given["control_points"]), 2)
         best = attempt((int(a), int(b)), True)
-        settle(best, on_miss, level)
+        settle(best, on_miss, 5)
         return best
     if not _tolerance_given(given, options):
         rest["tol"] = "0.1%"
@@ -80,5 +80,5 @@ def fit_with(source: _sources.Input, given: Mapping[str, Any], *, options: Any, 
         else:
             below = middle
     best = attempt((best_size, best_size), True)
-    settle(best, on_miss, level)
+    settle(best, on_miss, 5)
     return best

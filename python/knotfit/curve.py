@@ -265,7 +265,7 @@ def fit_curve(points: Any, t: Any = None, *, closed: bool = False, function: boo
     if fit is None:
         raise RuntimeError("the fit was stopped before there was a curve")
     if fit.tolerance is not None:
-        settle(fit, on_miss, 2)
+        settle(fit, on_miss, 3)
     return fit
 
 

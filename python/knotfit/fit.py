@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import json
 import os
@@ -14,7 +15,7 @@ import numpy as np
 
 from . import _core, _options, _sources
 from ._arrays import Floats
-from ._errors import KnotfitWarning, ToleranceMissed, in_python_words, translated
+from ._errors import Interrupted, KnotfitWarning, ToleranceMissed, in_python_words, translated
 from ._run import ProgressLike, thread_count, watched
 from .surface import Surface, draw_size
 
@@ -200,14 +201,14 @@ def missed(fit: Any) -> bool:
     return fit.status in ("time_limit", "failed") or not fit.reached
 
 
-def settle(fit: Any, on_miss: str, level: int) -> None:
+def settle(fit: Any, on_miss: str, stacklevel: int) -> None:
     """A warning or an exception where the fit is below what was asked."""
     if on_miss == "ignore" or not missed(fit):
         return
     text = f"{fit.status}: {fit.message}"
     if on_miss == "raise":
         raise ToleranceMissed(text, fit)
-    warnings.warn(KnotfitWarning(text, fit), stacklevel=level + 1)
+    warnings.warn(KnotfitWarning(text, fit), stacklevel=stacklevel)
 
 
 def check_on_miss(on_miss: str) -> None:
@@ -215,7 +216,7 @@ def check_on_miss(on_miss: str) -> None:
         raise ValueError(f"on_miss: {on_miss!r} is none of 'warn', 'raise', 'ignore'")
 
 
-def _spread(given: dict[str, Any], folder: str) -> dict[str, Any]:
+def _spread(given: dict[str, Any], folder: Callable[[], str]) -> dict[str, Any]:
     """Keywords whose values no command line has: knots in arrays, a surface, a measure in an array."""
     spread = dict(given)
     knots = spread.get("knots")
@@ -230,7 +231,7 @@ def _spread(given: dict[str, Any], folder: str) -> dict[str, Any]:
         spread["knots_u"], spread["knots_v"] = (_options.knot_list("knots", k) for k in knots)
     base = spread.get("base")
     if isinstance(base, Surface):
-        spread["base"] = os.path.join(folder, "base.json")
+        spread["base"] = os.path.join(folder(), "base.json")
         base.save(spread["base"])
     elif base is not None and not isinstance(base, str):
         spread["base"] = os.fspath(base) if hasattr(base, "__fspath__") else ",".join(os.fspath(b) for b in base)
@@ -238,17 +239,20 @@ def _spread(given: dict[str, Any], folder: str) -> dict[str, Any]:
 
 
 def run(source: _sources.Input, given: Mapping[str, Any], *, options: Any, threads: int, progress: ProgressLike,
-        on_miss: str, function: str, grid: _sources.Grid | None = None, level: int = 2) -> Fit:
+        on_miss: str, function: str, grid: _sources.Grid | None = None) -> Fit:
     """The fit of a source by the keywords that are not the defaults."""
     check_on_miss(on_miss)
     count = thread_count(threads)
-    if callable(given.get("knots")) and not isinstance(given["knots"], str):
+    if callable(given.get("knots")) and not isinstance(given["knots"], Surface):
         from ._own_placement import fit_with
 
         return fit_with(source, given, options=options, threads=threads, progress=progress, on_miss=on_miss,
-                        function=function, grid=grid, level=level + 1)
+                        function=function, grid=grid)
     call = _options.call_text(function, given)
-    with tempfile.TemporaryDirectory(prefix="knotfit") as folder:
+    with contextlib.ExitStack() as stack:
+        def folder() -> str:
+            return stack.enter_context(tempfile.TemporaryDirectory(prefix="knotfit"))
+
         spread = _spread(dict(given), folder)
         feature = spread.get("feature")
         if feature is not None and not isinstance(feature, str):
@@ -260,23 +264,29 @@ def run(source: _sources.Input, given: Mapping[str, Any], *, options: Any, threa
             feature = None
         stored = ""
         if isinstance(options, Mapping):
-            stored = os.path.join(folder, "options.json")
+            stored = os.path.join(folder(), "options.json")
             with open(stored, "w", encoding="utf-8") as file:
                 json.dump({"options": options}, file)
         elif options is not None:
             stored = os.fspath(options)
         texts = _options.texts("fit", spread)
         with translated(), watched(progress) as tell:
-            outcome, raised = _core.fit(source.make(), texts, stored, feature, count, tell, call)
-    fit = Fit(outcome, source.shape, grid) if outcome is not None else None
+            outcome, raised, later = _core.fit(source.make(), texts, stored, feature, count, tell, call)
+
+    def made(outcome: _core.Outcome | None) -> Fit | None:
+        return None if outcome is None else Fit(outcome, source.shape, grid)
+
     if raised is not None:
-        raised.best = fit
+        if isinstance(raised, KeyboardInterrupt):
+            raise Interrupted(*raised.args, best=made(outcome), later=later and (lambda: made(later()))) from None
+        raised.best = made(later() if later else outcome)
         raise raised
+    fit = made(outcome)
     if fit is None:
         raise RuntimeError("the fit was stopped before there was a surface")
     if isinstance(given.get("base"), Surface):
         fit.options["base"] = "surface"
-    settle(fit, on_miss, level)
+    settle(fit, on_miss, 4)  # this, the public call, its caller
     return fit
 
 
@@ -339,7 +349,8 @@ def fit(xyz: Any, uv: Any = None, *, tol: Tolerance = None, within: float | str 
     threads         of this call; 0: as many as there are cores. Results do not depend on it
     progress        True, or a callable that takes a knotfit.Progress; one that returns False stops the fit
 
-    KeyboardInterrupt, and what `progress` raises, has the best so far as its attribute `best` (or None).
+    KeyboardInterrupt (knotfit.Interrupted), and what `progress` raises, has the best so far as its attribute `best`, or
+    None.
     ValueError, TypeError: a keyword or a row is wrong, which the message names.
     """
     given = _options.changed(USUAL, {k: v for k, v in locals().items() if k in USUAL})

@@ -47,13 +47,15 @@ class Distances(NamedTuple):
 
 
 def draw_size(width: float | None, height: float | None, default: tuple[int, int] = (1600, 900)) -> tuple[int, int]:
-    """Whole sizes; one that is missing keeps the usual shape."""
+    """Whole sizes; one that is missing keeps the usual shape, where that is not too narrow to be drawn."""
     if width is None and height is None:
         return default
     if height is None:
         assert width is not None
-        return round(width), round(width * default[1] / default[0])
-    return round(height * default[0] / default[1]) if width is None else round(width), round(height)
+        height = max(200, width * default[1] / default[0])
+    if width is None:
+        width = max(200, height * default[0] / default[1])
+    return round(width), round(height)
 
 
 def show_picture(png: bytes, ax: Any) -> Any:
