@@ -9,8 +9,10 @@ namespace py = pybind11;
 
 void bind_errors(py::module_& m) {
   py::register_exception<InvalidInput>(m, "InvalidInput", PyExc_ValueError);
-  py::register_exception<FileError>(m, "FileError", PyExc_ValueError);
-  py::register_exception<WriteError>(m, "WriteError", PyExc_OSError);
+  py::register_exception<FileError>(m, "FileError", PyExc_ValueError).attr("__doc__") =
+      "A file that cannot be read as what it claims to be, or an output that cannot be opened.";
+  py::register_exception<WriteError>(m, "WriteError", PyExc_OSError).attr("__doc__") =
+      "Writing began and failed, as on a full disk. No half-written file is left.";
   m.def(
       "remedies",
       [](const std::string& text) {

@@ -26,6 +26,26 @@ std::vector<double> column(const Array& a, Index stride, Index offset) {
   return values;
 }
 
+/// -1: all are finite.
+Index first_not_finite(std::span<const double> values) {
+  constexpr Index kLanes = 8, kBlock = 512 * kLanes;
+  const auto n = static_cast<Index>(values.size());
+  for (Index k = 0; k < n; k += kBlock) {
+    const Index end = std::min(n, k + kBlock);
+    double sums[kLanes] = {};  // 0 * x is 0, or NaN where x is not finite; lanes do not wait for each other
+    Index i = k;
+    for (; i + kLanes <= end; i += kLanes)
+      for (Index lane = 0; lane < kLanes; ++lane) sums[lane] += 0 * values[i + lane];
+    for (; i < end; ++i) sums[0] += 0 * values[i];
+    double sum = 0;
+    for (const double s : sums) sum += s;
+    if (sum == 0) continue;
+    for (i = k; i < end; ++i)
+      if (!std::isfinite(values[i])) return i;
+  }
+  return -1;
+}
+
 /// Numbers of rows in messages, from 1; empty where no row was left out.
 std::vector<Index> lines_of(const Rows& rows) {
   if (!rows) return {};
@@ -152,19 +172,9 @@ void bind_sources(py::module_& m) {
       py::arg("path"), "A file of any format that the tool reads.");
   m.def(
       "first_not_finite",
-      [](const Array& a) -> Index {
-        const double* p = a.data();
-        const Index n = a.size(), block = 4096;
+      [](const Array& a) {
         const py::gil_scoped_release released;
-        for (Index k = 0; k < n; k += block) {
-          const Index end = std::min(n, k + block);
-          double sum = 0;  // 0 * x is 0, or NaN where x is not finite
-          for (Index i = k; i < end; ++i) sum += 0 * p[i];
-          if (sum == 0) continue;
-          for (Index i = k; i < end; ++i)
-            if (!std::isfinite(p[i])) return i;
-        }
-        return -1;
+        return first_not_finite(span_of(a));
       },
       py::arg("array"), "Index of the first element, in C order, that is not finite; -1: all are.");
 }

@@ -39,11 +39,19 @@ def real(array: Any, name: str) -> Any:
     return array
 
 
+def mask_of(array: Any) -> Any:
+    """Of a masked array, of its full shape."""
+    return np.broadcast_to(array.mask, array.shape)
+
+
+def unmasked(array: Any, fill: float) -> Any:
+    """A masked array as a plain one; any other as it is."""
+    return array.astype(np.float64).filled(fill) if hasattr(array, "filled") else array
+
+
 def floats(value: Any, name: str, *shape: int | None) -> Floats:
     """float64, C order, of this shape; None: any length. Masked entries become NaN."""
-    array = real(plain(value, name), name)
-    if isinstance(array, np.ma.MaskedArray):
-        array = array.astype(np.float64).filled(np.nan)
+    array = unmasked(real(plain(value, name), name), np.nan)
     if shape and (array.ndim != len(shape) or any(w is not None and w != g for w, g in zip(shape, array.shape))):
         wanted = ", ".join("n" if w is None else str(w) for w in shape) + ("," if len(shape) == 1 else "")
         raise ValueError(f"{name}: has shape {array.shape}, not ({wanted})")
@@ -100,10 +108,10 @@ def table(nan_policy: str, **named: Any) -> Table:
             continue
         array = plain(value, name)
         if isinstance(array, np.ma.MaskedArray):
-            mask = np.ma.getmaskarray(array)
+            mask = mask_of(array)
             mask = mask.reshape(len(mask), -1).any(axis=1)
             masked = mask if masked is None else masked | mask
-            array = real(array, name).astype(np.float64).filled(0.0)
+            array = unmasked(real(array, name), 0.0)
         array = np.ascontiguousarray(real(array, name), dtype=np.float64)
         if rows >= 0 and len(array) != rows:
             raise ValueError(f"{name}: has {len(array)} rows, {first} has {rows}")

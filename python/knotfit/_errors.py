@@ -51,6 +51,14 @@ class Interrupted(KeyboardInterrupt):
         return self._best
 
 
+def with_best(raised: BaseException, best: object) -> BaseException:
+    """The exception with what was found as its attribute `best`."""
+    if isinstance(raised, KeyboardInterrupt):
+        return Interrupted(*raised.args, best=best)
+    raised.best = best  # type: ignore[attr-defined]
+    return raised
+
+
 # Work that was stopped and has not ended: the interpreter does not end before it.
 _unfinished: set[Interrupted] = set()
 

@@ -35,8 +35,8 @@ def to_scipy(surface: Surface) -> ScipySurface:
     tx, ty = _own_knots(surface)
     kx, ky = surface.degree
     net = surface.control_points
-    tcks: list[Tck] = [(tx, ty, np.ascontiguousarray(c).ravel(), kx, ky)
-                       for c in ([net] if net.ndim == 2 else np.moveaxis(net, 2, 0))]
+    parts: list[Floats] = [net] if net.ndim == 2 else [net[:, :, d] for d in range(net.shape[2])]
+    tcks: list[Tck] = [(tx, ty, np.ascontiguousarray(c).ravel(), kx, ky) for c in parts]
     return ScipySurface(tcks[0] if net.ndim == 2 else tcks, ((tx, ty), net, (kx, ky)))
 
 

@@ -78,20 +78,22 @@ def points(xyz: Any, uv: Any, weights: Any, normals: Any, nan_policy: str, mappe
     if uv is None and (values.ndim != 2 or values.shape[1] != 3):
         raise ValueError(f"xyz: has shape {values.shape}: without uv it is (n, 3) or (m, n, 3)")
     table = _arrays.table(nan_policy, xyz=values, uv=uv, weights=weights, normals=normals)
-    values, places, weight, normal = table.columns
-    assert values is not None
+    column, places, weight, normal = table.columns
+    assert column is not None
+    numbers: Floats = column
     if places is not None and (places.ndim != 2 or places.shape[1] != 2):
         raise ValueError(f"uv: has shape {places.shape}, not (n, 2)")
     if normal is not None and (normal.ndim != 2 or normal.shape[1] != 3):
         raise ValueError(f"normals: has shape {normal.shape}, not (n, 3)")
     if weight is not None:
         _check_weights(weight, table)
-    dimension = 1 if values.ndim == 1 else values.shape[1]
+    dimension = 1 if numbers.ndim == 1 else int(numbers.shape[1])
     if places is not None and not mapped:
-        return Input(lambda: _core.points_source(values, places, weight, table.kept, table.rows), (table.rows,))
+        at: Floats = places
+        return Input(lambda: _core.points_source(numbers, at, weight, table.kept, table.rows), (table.rows,))
     if dimension not in (1, 3):
         raise ValueError(f"xyz: has {dimension} columns; where parameters are scaled or found it has 3 (or 1, with uv)")
-    return Input(lambda: _core.table_source(values, places, weight, normal, table.kept, table.rows), (table.rows,))
+    return Input(lambda: _core.table_source(numbers, places, weight, normal, table.kept, table.rows), (table.rows,))
 
 
 def _check_weights(weight: Floats, table: _arrays.Table) -> None:
@@ -110,8 +112,8 @@ def _grid(values: Any, weights: Any, normals: Any, nan_policy: str) -> Input:
         raise ValueError(f"nan_policy: {nan_policy!r} is neither 'omit' nor 'raise'")
     masked = isinstance(values, np.ma.MaskedArray)
     if masked:
-        hole = np.ma.getmaskarray(values).any(axis=2)
-        array = np.ascontiguousarray(_arrays.real(values, "xyz").astype(np.float64).filled(0.0))
+        hole = _arrays.mask_of(values).any(axis=2)
+        array = np.ascontiguousarray(_arrays.unmasked(_arrays.real(values, "xyz"), 0.0))
     else:
         hole = np.zeros(values.shape[:2], bool)
         array = np.ascontiguousarray(_arrays.real(values, "xyz"), dtype=np.float64)
@@ -130,7 +132,7 @@ def _grid(values: Any, weights: Any, normals: Any, nan_policy: str) -> Input:
 class Grid(NamedTuple):
     """A raster as it was given: how to make it, and how its rows and columns lay."""
 
-    input: Input
+    input: Input | None  # None: of a fit that was pickled
     x: Floats
     y: Floats
     flip_x: bool
@@ -197,10 +199,10 @@ def mesh(vertices: Any, faces: Any, uv: Any) -> Input:
 def mesh_arrays(vertices: Any, faces: Any) -> tuple[Floats, NDArray[np.int32]]:
     """Arrays, or an object that has vertices and faces as trimesh, meshio or PyVista have them."""
     if faces is None:
-        for places, corners in (("vertices", "faces"), ("points", "cells"), ("points", "faces")):
-            if hasattr(vertices, places) and hasattr(vertices, corners):
-                found = getattr(vertices, corners)
-                vertices, faces = getattr(vertices, places), found() if callable(found) else found
+        for has, with_ in (("vertices", "faces"), ("points", "cells"), ("points", "faces")):
+            if hasattr(vertices, has) and hasattr(vertices, with_):
+                found = getattr(vertices, with_)
+                vertices, faces = getattr(vertices, has), found() if callable(found) else found
                 break
         else:
             raise TypeError(f"faces: is missing, and {type(vertices).__name__} has neither .vertices and .faces nor "

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _core, _options, _sources
-from ._errors import in_python_words, translated
+from ._errors import in_python_words, translated, with_best
 from ._run import ProgressLike, thread_count, watched
 from .fit import NanPolicy
 from .surface import Surface, draw_size
@@ -113,7 +113,9 @@ def compare(xyz: Any, uv: Any = None, *, methods: str | Iterable[str] = "all", s
     if _sources.is_path(xyz):
         source = _sources.file(xyz)
     elif hasattr(xyz, "dims") and hasattr(xyz, "coords"):
-        source = _sources.raster(xyz, None, None, None, "omit").input
+        found = _sources.raster(xyz, None, None, None, "omit").input
+        assert found is not None
+        source = found
     else:
         moved = height_field or rescale_parameters or base != "auto"
         source = _sources.points(xyz, uv, weights, normals, nan_policy, moved)
@@ -121,6 +123,5 @@ def compare(xyz: Any, uv: Any = None, *, methods: str | Iterable[str] = "all", s
         rows, raised = _core.compare(source.make(), texts, measure, thread_count(threads), tell)
     made = Comparison(rows)
     if raised is not None:
-        raised.best = made
-        raise raised
+        raise with_best(raised, made)
     return made

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _arrays, _core, _options
 from ._arrays import Floats
-from ._errors import in_python_words, translated
+from ._errors import in_python_words, translated, with_best
 from ._run import ProgressLike, thread_count, watched
 from .fit import ErrorSummary, NanPolicy, OnMiss, Tolerance, check_on_miss, settle
 from .surface import draw_size, show_picture
@@ -77,13 +77,11 @@ class Curve:
         t        any shape, in `domain`; a closed curve goes on, any other is clamped to its ends; NaN gives NaN
         returns  the shape of t, and (d,) behind it where d > 1
         """
-        array = _arrays.real(_arrays.plain(t, "t"), "t").astype(np.float64)
+        array = np.asarray(_arrays.unmasked(_arrays.real(_arrays.plain(t, "t"), "t"), np.nan), dtype=np.float64)
         if isinstance(derivative, bool) or not hasattr(derivative, "__index__"):
             raise TypeError(f"derivative: takes a whole number, not {type(derivative).__name__}")
         if not 0 <= derivative.__index__() <= 20:
             raise ValueError(f"derivative: {derivative} is no order from 0 to 20")
-        if isinstance(array, np.ma.MaskedArray):
-            array = array.filled(np.nan)
         first, last = self.domain
         at = (array - first) / (last - first) if self.function else array
         if self.closed:
@@ -135,10 +133,14 @@ class Curve:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Curve):
             return NotImplemented
-        return self.to_json() == other.to_json()
+        return self._key() == other._key()
 
     def __hash__(self) -> int:
-        return hash(self.to_json())
+        return hash(self._key())
+
+    def _key(self) -> tuple[Any, ...]:
+        d = self._document
+        return d.degree, d.closed, d.function, d.x0, d.x1, d.knots.tobytes(), d.control_points.tobytes()
 
     def __copy__(self) -> Curve:
         return self  # it never changes
@@ -260,8 +262,7 @@ def fit_curve(points: Any, t: Any = None, *, closed: bool = False, function: boo
                                           thread_count(threads), tell)
     fit = CurveFit(outcome) if outcome is not None else None
     if raised is not None:
-        raised.best = fit
-        raise raised
+        raise with_best(raised, fit)
     if fit is None:
         raise RuntimeError("the fit was stopped before there was a curve")
     if fit.tolerance is not None:

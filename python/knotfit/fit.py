@@ -15,7 +15,7 @@ import numpy as np
 
 from . import _core, _options, _sources
 from ._arrays import Floats
-from ._errors import Interrupted, KnotfitWarning, ToleranceMissed, in_python_words, translated
+from ._errors import Interrupted, KnotfitWarning, ToleranceMissed, in_python_words, translated, with_best
 from ._run import ProgressLike, thread_count, watched
 from .surface import Surface, draw_size
 
@@ -246,8 +246,9 @@ def run(source: _sources.Input, given: Mapping[str, Any], *, options: Any, threa
     if callable(given.get("knots")) and not isinstance(given["knots"], Surface):
         from ._own_placement import fit_with
 
-        return fit_with(source, given, options=options, threads=threads, progress=progress, on_miss=on_miss,
-                        function=function, grid=grid)
+        found: Fit = fit_with(source, given, options=options, threads=threads, progress=progress, on_miss=on_miss,
+                              function=function, grid=grid)
+        return found
     call = _options.call_text(function, given)
     with contextlib.ExitStack() as stack:
         def folder() -> str:
@@ -273,14 +274,14 @@ def run(source: _sources.Input, given: Mapping[str, Any], *, options: Any, threa
         with translated(), watched(progress) as tell:
             outcome, raised, later = _core.fit(source.make(), texts, stored, feature, count, tell, call)
 
-    def made(outcome: _core.Outcome | None) -> Fit | None:
-        return None if outcome is None else Fit(outcome, source.shape, grid)
+    def made(found: _core.Outcome | None) -> Fit | None:
+        return None if found is None else Fit(found, source.shape, grid)
 
+    if raised is not None and later is not None and isinstance(raised, KeyboardInterrupt):
+        waits = later
+        raise Interrupted(*raised.args, later=lambda: made(waits())) from None
     if raised is not None:
-        if isinstance(raised, KeyboardInterrupt):
-            raise Interrupted(*raised.args, best=made(outcome), later=later and (lambda: made(later()))) from None
-        raised.best = made(later() if later else outcome)
-        raise raised
+        raise with_best(raised, made(outcome if later is None else later()))
     fit = made(outcome)
     if fit is None:
         raise RuntimeError("the fit was stopped before there was a surface")
@@ -362,6 +363,7 @@ def fit(xyz: Any, uv: Any = None, *, tol: Tolerance = None, within: float | str 
     if hasattr(xyz, "dims") and hasattr(xyz, "coords") and len(xyz.dims) == 2 and uv is None:
         grid = _sources.raster(xyz, None, None, nodata, "omit")
         given.pop("nodata", None)
+        assert grid.input is not None
         return run(grid.input, given, options=options, threads=threads, progress=progress, on_miss=on_miss,
                    function="fit", grid=grid)
     for name in ("input_format", "columns", "skip_lines", "classes", "returns", "nodata"):

@@ -28,5 +28,6 @@ def fit_raster(z: Any, x: Any = None, y: Any = None, nodata: float | None = None
         raise ValueError(f"nan_policy: {nan_policy!r} is neither 'omit' nor 'raise'")
     grid = _sources.raster(z, x, y, nodata, nan_policy)
     given = _options.changed(USUAL, keywords)
+    assert grid.input is not None
     return run(grid.input, given, options=options, threads=threads, progress=progress, on_miss=on_miss,
                function="fit_raster", grid=grid)

@@ -19,7 +19,7 @@ class SplineSurfaceRegressor(RegressorMixin, BaseEstimator):
     knots, degree, smoothing, rms, within, effort, duplicates, threads   as fit() has them
     outside         "clamp" or "nan": of places outside the features' range in fit()
 
-    surface_  the Surface after fit(); fit_  the Fit
+    surface_  the Surface after fit(); fit_  the Fit. Where the rows are few, size and degree are lower than asked
     """
 
     def __init__(self, tol: Any = None, *, control_points: Any = (8, 8), knots: Any = "error-model", degree: Any = 3,
@@ -37,16 +37,18 @@ class SplineSurfaceRegressor(RegressorMixin, BaseEstimator):
         self.outside = outside
         self.threads = threads
 
-    def _size(self, rows: int) -> Any:
-        """The size, made smaller where the rows are too few for it."""
+    def _fitting(self, rows: int) -> tuple[Any, tuple[int, int]]:
+        """Size and degree, both made lower where the rows are too few for them."""
+        p, q = (int(d) for d in np.broadcast_to(np.asarray(self.degree), 2))
+        while (p + 1) * (q + 1) > rows and max(p, q) > 1:
+            p, q = (p - 1, q) if p >= q else (p, q - 1)
         if self.control_points is None:
-            return None
-        least = [int(d) + 1 for d in np.broadcast_to(np.asarray(self.degree), 2)]
-        size = [int(s) for s in np.broadcast_to(np.asarray(self.control_points), 2)]
-        while size[0] * size[1] > rows and (size[0] > least[0] or size[1] > least[1]):
-            k = 0 if size[0] - least[0] >= size[1] - least[1] else 1
-            size[k] -= 1
-        return tuple(size)
+            return None, (p, q)
+        m, n = (int(s) for s in np.broadcast_to(np.asarray(self.control_points), 2))
+        m, n = max(m, p + 1), max(n, q + 1)
+        while m * n > rows and (m > p + 1 or n > q + 1):
+            m, n = (m - 1, n) if m - p >= n - q else (m, n - 1)
+        return (m, n), (p, q)
 
     def fit(self, X: Any, y: Any, sample_weight: Any = None) -> SplineSurfaceRegressor:
         """X (n, 2), y (n,), sample_weight (n,) >= 0: rows of weight 0 are left out."""
@@ -60,9 +62,12 @@ class SplineSurfaceRegressor(RegressorMixin, BaseEstimator):
                 raise ValueError("sample_weight: a weight is negative")
             used = weights > 0
             X, y, weights = X[used], y[used], weights[used]
-        size = self._size(len(X))
+        places = len(np.unique(X, axis=0))
+        if places < 4:
+            raise ValueError(f"n_samples = {len(X)} at {places} different places are too few: a surface needs 4")
+        size, degree = self._fitting(places)
         self.fit_ = fit_surface(np.column_stack([X, y]), height_field=True, tol=self.tol, control_points=size,
-                                knots=self.knots, degree=self.degree, smoothing=self.smoothing, rms=self.rms,
+                                knots=self.knots, degree=degree, smoothing=self.smoothing, rms=self.rms,
                                 within=self.within, effort=self.effort, duplicates=self.duplicates, weights=weights,
                                 between=False, threads=self.threads, on_miss="ignore")
         self.surface_ = self.fit_.surface
@@ -72,8 +77,9 @@ class SplineSurfaceRegressor(RegressorMixin, BaseEstimator):
         """(n,) heights at X (n, 2)."""
         check_is_fitted(self, "surface_")
         X = self._validate_data(X, reset=False, dtype=np.float64)
-        return self.surface_(X[:, 0], X[:, 1], outside=self.outside)
+        outside: Any = self.outside
+        return self.surface_(X[:, 0], X[:, 1], outside=outside)
 
     def _more_tags(self) -> dict[str, Any]:
-        # Each check feeds another number of columns than two.
+        # The checks' own data is noise over many columns.
         return {"poor_score": True}

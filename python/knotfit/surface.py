@@ -111,6 +111,9 @@ class Surface:
         p, q = (int(k) for k in np.broadcast_to(np.asarray(degree), 2))
         u, v = _knots(knots_u, "knots_u"), _knots(knots_v, "knots_v")
         net = _arrays.real(_arrays.plain(control_points, "control_points"), "control_points")
+        for name, array in (("knots_u", u), ("knots_v", v), ("control_points", net)):
+            if not np.isfinite(array).all():
+                raise ValueError(f"{name}: an entry is not finite")
         if net.ndim == 2:
             net = net[:, :, None]
         if net.ndim != 3:
@@ -186,8 +189,7 @@ class Surface:
 
     def _places(self, u: Any, v: Any) -> tuple[Floats, Floats, tuple[int, ...]]:
         a, b = (_arrays.real(_arrays.plain(x, name), name) for x, name in ((u, "u"), (v, "v")))
-        a, b = (x.filled(np.nan) if isinstance(x, np.ma.MaskedArray) else x for x in
-                (a.astype(np.float64, copy=False), b.astype(np.float64, copy=False)))
+        a, b = _arrays.unmasked(a, np.nan), _arrays.unmasked(b, np.nan)
         try:
             a, b = np.broadcast_arrays(a, b)
         except ValueError:
@@ -312,7 +314,8 @@ class Surface:
         """The text of a STEP file, for OCP and CadQuery. options: as save() has them for CAD files."""
         with tempfile.TemporaryDirectory(prefix="knotfit") as folder:
             path = os.path.join(folder, "surface.step")
-            self.save(path, **{"name": "knotfit surface", **options})
+            said: dict[str, Any] = {"name": "knotfit surface", **options}
+            self.save(path, **said)
             with open(path, encoding="utf-8") as file:
                 return file.read()
 

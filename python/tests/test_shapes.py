@@ -36,14 +36,18 @@ def test_whatever_comes_in_is_fitted_or_refused_by_name(xyz, uv, policy):
        n=st.integers(16, 60), d=st.integers(1, 5), order=st.sampled_from("CF"), step=st.integers(1, 3))
 def test_every_layout_is_taken_by_its_numbers(data, dtype, n, d, order, step):
     values = data.draw(npst.arrays(np.dtype(dtype), (n * step, d),
-                                   elements={"min_value": 0, "max_value": 100} if "f" not in dtype else
-                                   {"min_value": 0, "max_value": 100, "allow_nan": False, "width": 8 * int(dtype[-1])}))
+                                   elements={"min_value": 0, "max_value": 100}))
     values = np.asarray(values, order=order)[::step]
     uv = np.random.default_rng(n).random((n, 2))
-    keywords = {"control_points": 4, "knots": "uniform", "between": False, "duplicates": "mean"}
-    fit = knotfit.fit(values, uv, **keywords)
-    plain = knotfit.fit(np.ascontiguousarray(values, dtype=np.float64), uv, **keywords)
-    assert fit.surface == plain.surface and np.array_equal(fit.errors, plain.errors)
+
+    def found(array):
+        try:
+            fit = knotfit.fit(array, uv, control_points=4, knots="uniform", between=False)
+        except ValueError as e:  # values that are all equal, or one far off
+            return str(e)
+        return fit.surface, fit.errors.tobytes()
+
+    assert found(values) == found(np.ascontiguousarray(values, dtype=np.float64))
 
 
 @quick
