@@ -52,7 +52,7 @@ class SplineSurfaceRegressor(RegressorMixin, BaseEstimator):
 
     def fit(self, X: Any, y: Any, sample_weight: Any = None) -> SplineSurfaceRegressor:
         """X (n, 2), y (n,), sample_weight (n,) >= 0: rows of weight 0 are left out."""
-        X, y = self._validate_data(X, y, y_numeric=True, dtype=np.float64)
+        X, y = self._validate_data(X, y, y_numeric=True, dtype=np.float64, ensure_min_samples=2)
         if X.shape[1] != 2:
             raise ValueError(f"X has {X.shape[1]} feature(s); a surface is over 2 features")
         weights = None
