@@ -86,7 +86,7 @@ _SWITCHES = {"height_field", "rescale_parameters", "fill_holes", "largest_part",
 _RENAMED = {"clamp": 'outside="clamp"', "points": "points"}
 _FLAG = re.compile(r"(?<![\w-])--([a-z][a-z-]*)(?: (?=[A-Za-z0-9])(off|on|auto|search|insert)\b)?")
 # "line 4", "lines 4, 7 and 9 and 3 more", "point 4 (from 1)": rows from 1, as a file counts.
-_ROWS = re.compile(r"\b(line|lines|point|points) (\d+(?:(?:, | and )\d+(?! more))*)(?: \(from 1\))?")
+_ROWS = re.compile(r"(?<!the )\b(line|lines|point|points) (\d+(?:(?:, | and )\d+(?! more))*)(?!\.?\d)(?: \(from 1\))?")
 _POINT_AND_LINE = re.compile(r"\bpoint \d+ \(line (\d+)\)")
 
 

@@ -230,6 +230,17 @@ def test_messages_have_no_words_of_the_command_line(xyz, uv):
         knotfit.fit(xyz, line)
 
 
+def test_rows_are_counted_from_0_and_figures_stay():
+    from knotfit._errors import in_python_words
+
+    for text, wanted in [("line 4: u = 2", "row 3: u = 2"), ("points 1, 7 and 9", "rows 0, 6 and 8"),
+                         ("lines 3, 5 and 12 more", "rows 2, 4 and 12 more"), ("point 8 (line 9) is", "row 8 is"),
+                         ("point 3 (from 1)", "row 2"), ("error of 99 % of the points 57.23, tolerance 58",) * 2,
+                         ("of the points 57, tolerance",) * 2, ("2000 points, line 12.5",) * 2,
+                         ("--nodata 3 and --weld off", 'nodata 3 and weld="off"'), ("a `fill_holes`", "a fill_holes=True")]:
+        assert in_python_words(text) == wanted
+
+
 def test_every_remedy_of_the_library_has_words():
     from knotfit._errors import _REMEDIES
 
