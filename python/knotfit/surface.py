@@ -286,6 +286,8 @@ class Surface:
 
         returns  ScipySurface: `tck` (tx, ty, c, kx, ky) for scipy.interpolate.bisplev, a list of them where d > 1, and
                  `nd` ((tx, ty), c (n, m[, d]), (kx, ky)) for NdBSpline (SciPy 1.12)
+
+        Far from zero, as in metres of a map projection, the knots lose digits there that they have in [0, 1].
         """
         from ._exchange import to_scipy
 
