@@ -24,7 +24,7 @@ from .surface import ClosestPoints, Curvature, Distances, Surface, SurfaceDeriva
 
 __all__ = [
     "ClosestPoints", "Comparison", "Curvature", "Curve", "CurveFit", "Distances", "FileError", "Fit", "Interrupted",
-    "KnotfitWarning", "Knots", "MeshData", "Parameterization", "PointData", "Progress", "RasterData", "Surface", "SurfaceDerivative",
-    "ToleranceMissed", "WriteError", "__version__", "compare", "fit", "fit_curve", "fit_mesh", "fit_raster", "load",
-    "methods", "parameterize", "place_knots",
+    "KnotfitWarning", "Knots", "MeshData", "Parameterization", "PointData", "Progress", "RasterData", "Surface",
+    "SurfaceDerivative", "ToleranceMissed", "WriteError", "__version__", "compare", "fit", "fit_curve", "fit_mesh",
+    "fit_raster", "load", "methods", "parameterize", "place_knots",
 ]

@@ -320,8 +320,9 @@ def fit(xyz: Any, uv: Any = None, *, tol: Tolerance = None, within: float | str 
     max_control_points, max_fits, time_limit (seconds)   where a search ends
 
     Knots
-    knots           a method (knotfit.methods()), (interior u, interior v) in (0, 1), a Surface whose knots and degree are used, or
-                    a callable: place(uv, values, interior_u, interior_v) gives two lists of interior knots
+    knots           a method (knotfit.methods()), (interior u, interior v) in (0, 1), a Surface whose knots and degree
+                    are used, or a callable: place(uv, values, interior_u, interior_v) gives two lists of
+                    interior knots
     refine          "search" or "insert"
     effort          "fast", "balanced", "best"
     guard, engine   hold a search between the points; "auto", "points", "sample"

@@ -35,8 +35,8 @@ def without(report, *more):
      {"control_points": (12, 9), "knots": "error-model", "degree": (2, 4)}),
     (["face.uv.csv", "--tol", "0.5", "--within", "99%", "--effort", "fast"],
      {"tol": 0.5, "within": 0.99, "effort": "fast"}),
-    (["jacksboro.asc", "--control-points", "30x30", "--knots", "uniform"],
-     {"control_points": 30, "knots": "uniform"}),
+    (["jacksboro.asc", "--control-points", "30x30", "--knots", "uniform", "--between", "off"],
+     {"control_points": 30, "knots": "uniform", "between": False}),
 ])
 def test_a_file_gives_the_bits_of_the_tool(tool, samples, tmp_path, arguments, keywords):
     out = tmp_path / "tool.json"
@@ -62,10 +62,10 @@ def test_arrays_give_the_bits_of_the_tool(tool, samples, tmp_path):
 
 
 def test_a_raster_gives_the_bits_of_the_tool(tool, samples, tmp_path):
-    options = ["--control-points", "24x24", "--knots", "quantile"]
+    options = ["--control-points", "24x24", "--knots", "quantile", "--between", "off"]
     theirs = run(tool, "fit", samples / "jacksboro.asc", *options, "--json", "-o", tmp_path / "a.json")
     data = knotfit.load(samples / "jacksboro.asc")
-    ours = knotfit.fit_raster(*data, control_points=24, knots="quantile")
+    ours = knotfit.fit_raster(*data, control_points=24, knots="quantile", between=False)
     assert ours.report["error"]["rms"] == theirs["error"]["rms"]
     assert ours.report["knots"] == theirs["knots"]
     assert (ours.surface.control_points == knotfit.load(tmp_path / "a.json").control_points).all()
