@@ -18,9 +18,8 @@ inline std::span<const double> span_of(const Array& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-inline std::vector<double> vector_of(const Array& array) {
-  return {array.data(), array.data() + array.size()};
-}
+/// A copy. Of a large array into large pages where the system has them: most of its time is the first touch of each page.
+std::vector<double> vector_of(const Array& array);
 
 /// An array that owns the vector's memory.
 template <class T>

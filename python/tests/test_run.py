@@ -182,17 +182,18 @@ def test_memory_is_flat_over_a_thousand_fits():
 def test_a_million_points_go_in_at_once_and_are_copied_once():
     rng = np.random.default_rng(0)
     uv, xyz = rng.random((10**6, 2)), rng.random((10**6, 3))
-    least, peak = np.inf, 0
-    for _ in range(7):
-        start = time.perf_counter()
+    least, wall, peak = np.inf, np.inf, 0
+    for _ in range(9):
+        start, start_wall = time.thread_time(), time.perf_counter()  # of the thread: others may use the machine
         source = _sources.points(xyz, uv, None, None, "raise", False)
         made = source.make()
-        least = min(least, time.perf_counter() - start)
+        least = min(least, time.thread_time() - start)
+        wall = min(wall, time.perf_counter() - start_wall)
         before = _resident()
         again = source.make()
         peak = max(peak, _resident() - before)
         del source, made, again
-    print(f"1e6 points in: {least * 1e3:.1f} ms, {peak / 1e6:.0f} MB for {(uv.nbytes + xyz.nbytes) / 1e6:.0f} MB")
+    print(f"1e6 points in: {least * 1e3:.1f} ms ({wall * 1e3:.1f} ms by the clock), {peak / 1e6:.0f} MB for {(uv.nbytes + xyz.nbytes) / 1e6:.0f} MB")
     assert least < 0.02
     assert peak <= 1.05 * (uv.nbytes + xyz.nbytes) + 1e6
 
