@@ -39,6 +39,11 @@ def real(array: Any, name: str) -> Any:
     return array
 
 
+def contiguous(array: Any, dtype: Any = np.float64) -> Any:
+    """In C order and aligned: itself where it is."""
+    return np.require(np.ascontiguousarray(array, dtype=dtype), requirements=["C", "A"])
+
+
 def mask_of(array: Any) -> Any:
     """Of a masked array, of its full shape."""
     return np.broadcast_to(array.mask, array.shape)
@@ -55,7 +60,7 @@ def floats(value: Any, name: str, *shape: int | None) -> Floats:
     if shape and (array.ndim != len(shape) or any(w is not None and w != g for w, g in zip(shape, array.shape))):
         wanted = ", ".join("n" if w is None else str(w) for w in shape) + ("," if len(shape) == 1 else "")
         raise ValueError(f"{name}: has shape {array.shape}, not ({wanted})")
-    result: Floats = np.ascontiguousarray(array, dtype=np.float64)
+    result: Floats = contiguous(array, dtype=np.float64)
     return result
 
 
@@ -77,7 +82,8 @@ def triangles(value: Any, name: str, vertices: int) -> NDArray[np.int32]:
     if bad.any():
         row = int(np.flatnonzero(bad.any(axis=1))[0])
         raise ValueError(f"{name}: row {row} names vertex {array[row][bad[row]][0]}, of {vertices}")
-    return np.ascontiguousarray(array, dtype=np.int32)
+    corners: NDArray[np.int32] = contiguous(array, np.int32)
+    return corners
 
 
 def _is_vtk(array: Any) -> bool:
@@ -112,7 +118,7 @@ def table(nan_policy: str, **named: Any) -> Table:
             mask = mask.reshape(len(mask), -1).any(axis=1)
             masked = mask if masked is None else masked | mask
             array = unmasked(real(array, name), 0.0)
-        array = np.ascontiguousarray(real(array, name), dtype=np.float64)
+        array = contiguous(real(array, name), dtype=np.float64)
         if rows >= 0 and len(array) != rows:
             raise ValueError(f"{name}: has {len(array)} rows, {first} has {rows}")
         rows, first = len(array), first or name

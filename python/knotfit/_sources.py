@@ -116,7 +116,7 @@ def _grid(values: Any, weights: Any, normals: Any, nan_policy: str) -> Input:
         array = np.ascontiguousarray(_arrays.unmasked(_arrays.real(values, "xyz"), 0.0))
     else:
         hole = np.zeros(values.shape[:2], bool)
-        array = np.ascontiguousarray(_arrays.real(values, "xyz"), dtype=np.float64)
+        array = _arrays.contiguous(_arrays.real(values, "xyz"), dtype=np.float64)
     lost = ~np.isfinite(array).all(axis=2) & ~hole
     if lost.any():
         i, j = (int(k) for k in np.argwhere(lost)[0])

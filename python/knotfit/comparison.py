@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _core, _options, _sources
+from . import _arrays, _core, _options, _sources
 from ._errors import in_python_words, translated, with_best
 from ._run import ProgressLike, thread_count, watched
 from .fit import NanPolicy
@@ -97,7 +97,7 @@ def compare(xyz: Any, uv: Any = None, *, methods: str | Iterable[str] = "all", s
     given = _options.changed(usual, {k: v for k, v in locals().items() if k in usual and k not in own})
     measure = None
     if not isinstance(feature, str):
-        measure = np.ascontiguousarray(feature, dtype=np.float64)
+        measure = _arrays.contiguous(feature, dtype=np.float64)
         given.pop("feature")
     texts = _options.texts("compare", given)
     if methods != "all":

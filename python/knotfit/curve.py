@@ -87,7 +87,7 @@ class Curve:
         if self.closed:
             at = np.where((at < 0) | (at > 1), at - np.floor(at), at)
         with translated(rows=False):
-            values = self._document.values(np.ascontiguousarray(at).reshape(-1), int(derivative))
+            values = self._document.values(_arrays.contiguous(at).reshape(-1), int(derivative))
         values /= (last - first) ** derivative
         return values.reshape(array.shape if values.shape[1] == 1 else (*array.shape, values.shape[1]))
 

@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple, Union
 
 import numpy as np
 
-from . import _core, _options, _sources
+from . import _arrays, _core, _options, _sources
 from ._arrays import Floats
 from ._errors import Interrupted, KnotfitWarning, ToleranceMissed, in_python_words, translated, with_best
 from ._run import ProgressLike, thread_count, watched
@@ -257,7 +257,7 @@ def run(source: _sources.Input, given: Mapping[str, Any], *, options: Any, threa
         spread = _spread(dict(given), folder)
         feature = spread.get("feature")
         if feature is not None and not isinstance(feature, str):
-            feature = np.ascontiguousarray(feature, dtype=np.float64)
+            feature = _arrays.contiguous(feature, dtype=np.float64)
             if feature.ndim != 2:
                 raise ValueError(f"feature: has shape {feature.shape}, not (cells along u, cells along v)")
             spread["feature"] = None

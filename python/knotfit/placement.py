@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from . import _core, _options, _sources
+from . import _arrays, _core, _options, _sources
 from ._arrays import Floats
 from ._errors import translated
 from ._run import thread_count
@@ -45,7 +45,7 @@ def place_knots(xyz: Any, uv: Any = None, *, control_points: int | tuple[int, in
         raise ValueError(f"control_points: {control_points} is fewer than degree + 1 along a direction")
     measure = None
     if not isinstance(feature, str):
-        measure = np.ascontiguousarray(feature, dtype=np.float64)
+        measure = _arrays.contiguous(feature, dtype=np.float64)
         given.pop("feature")
     if _sources.is_path(xyz):
         source = _sources.file(xyz)

@@ -127,7 +127,7 @@ class Surface:
             if not (a < b and c < d):
                 raise ValueError(f"domain: {domain} has an empty side")
             names = ("x", "y") if height_field else ("u", "v")
-            self._document = _core.Document(p, u, q, v, np.ascontiguousarray(net, dtype=np.float64),
+            self._document = _core.Document(p, u, q, v, _arrays.contiguous(net, dtype=np.float64),
                                             (*names, float(a), float(b), float(c), float(d), 0.0, 0.0), height_field,
                                             "", "")
 
@@ -194,8 +194,8 @@ class Surface:
             a, b = np.broadcast_arrays(a, b)
         except ValueError:
             raise ValueError(f"u, v: shapes {np.shape(u)} and {np.shape(v)} do not broadcast") from None
-        return (np.ascontiguousarray(a, dtype=np.float64).reshape(-1),
-                np.ascontiguousarray(b, dtype=np.float64).reshape(-1), a.shape)
+        return (_arrays.contiguous(a, dtype=np.float64).reshape(-1),
+                _arrays.contiguous(b, dtype=np.float64).reshape(-1), a.shape)
 
     def __call__(self, u: Any, v: Any, *, du: int = 0, dv: int = 0, outside: Outside = "raise") -> Floats:
         """S(u, v), or its derivative of order du along u and dv along v, by the data's own coordinates.
