@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings  # noqa: E402
 from hypothesis import strategies as st  # noqa: E402
 from hypothesis.extra import numpy as npst  # noqa: E402
 
-quick = settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+quick = settings(max_examples=60, deadline=None, database=None, suppress_health_check=list(HealthCheck))
 kinds = st.one_of(npst.floating_dtypes(sizes=(16, 32, 64)), npst.integer_dtypes(), npst.unsigned_integer_dtypes(),
                   npst.boolean_dtypes(), npst.complex_number_dtypes(), npst.unicode_string_dtypes(max_len=3))
 NAMES = r"^(xyz|uv|weights|normals|control_points|nan_policy|row|rows|point|points|all \d|no points|a grid|\d|column)"
