@@ -17,7 +17,8 @@ struct FitReport {
   bool default_tolerance = false;      ///< no tolerance, size or knots were given
   double seconds = 0;
   long long peak_memory_bytes = 0;
-  std::vector<std::string> outputs;  ///< files written
+  std::vector<std::string> outputs{};  ///< files written
+  std::string call{};                  ///< what made it, under a picture; empty: the command line
 };
 
 /// The object of --json, as text.

@@ -98,6 +98,8 @@ ParameterizedPoints parameterize(SourceData& data, const FitChoices& choices, co
   }
   const bool anew = choices.new_parameters.value_or(false);
   if ((!mesh && !anew) || points.dimension != 3) return points;
+  if (corrected(choices) && !points.weights.empty())
+    throw InvalidInput("--correct knows no weights of the points: leave column w out, with - in --columns");
   mapped = map_points(points, in_rows, choices, control);
   ParameterizedPoints of_mesh = mesh_points(mapped->mesh, mapped->map->uv);
   mapped->loose = left_out_of(points.size(), points.source, of_mesh.source, [&](Index k) {
@@ -189,42 +191,67 @@ PointTable table_of(const Raster& raster) {
   return table;
 }
 
-FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control) {
+namespace {
+
+/// Points with equal parameters are settled as --duplicates says.
+void settle(FitInput& input, const FitChoices& choices) {
+  // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
+  double tolerance = 0;
+  if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {
+    tolerance = choices.tolerance->value;
+    if (choices.tolerance->relative) tolerance *= bounding_diagonal(input.points) / 100;
+  }
+  const DuplicateRule rule = choices.duplicates.value_or(DuplicateRule::fail);
+  ParameterizedPoints before;
+  if (rule != DuplicateRule::fail) before = input.points;
+  input.summary.duplicates = settle_duplicates(input.points, rule, tolerance);
+  if (input.summary.duplicates > 0) input.all_points = std::move(before);
+  input.summary.points = input.points.size();
+}
+
+}  // namespace
+
+FitInput fit_input_of(SourceData data, Index welded, const FitChoices& choices, const Control& control) {
   FitInput input;
-  ReadOptions read = read_options(choices.input);
-  read.any_parameters = choices.rescale_parameters.value_or(false);
-  SourceData data = read_checked(path, read, choices.input, &input.summary.welded);
+  input.summary.welded = welded;
   input.summary.reading = reading_of(data);
-  input.summary.path = path;
+  input.summary.path = data.path;
   input.summary.format = data.format;
   input.summary.holes = count_holes(data);
+  refuse_idle_options(data, choices);
+  const Mesh* mesh = std::get_if<Mesh>(&data.content);
+  input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
+                                 : parameterize(data, choices, control, input.mesh);
+  if (input.mesh && !input.mesh->left_aside.empty())
+    input.summary.reading.notes.push_back(
+        "the mesh's parameters (texture coordinates) are left aside and the mesh is mapped, since " +
+        input.mesh->left_aside);
+  if (std::get_if<Raster>(&data.content) == nullptr) note_strays(input);
+  settle(input, choices);
+  if (Raster* raster = std::get_if<Raster>(&data.content)) input.raster = std::move(*raster);
+  return input;
+}
+
+FitInput fit_input_of(ParameterizedPoints points, const std::string& name, const FitChoices& choices) {
+  FitInput input;
+  input.summary.path = input.summary.format = name;
+  input.points = std::move(points);
+  note_strays(input);
+  settle(input, choices);
+  return input;
+}
+
+FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control) {
+  ReadOptions read = read_options(choices.input);
+  read.any_parameters = choices.rescale_parameters.value_or(false);
+  Index welded = 0;
+  SourceData data = read_checked(path, read, choices.input, &welded);
+  data.path = path;
   try {
-    refuse_idle_options(data, choices);
-    const Mesh* mesh = std::get_if<Mesh>(&data.content);
-    input.points = mesh != nullptr ? parameterize(*mesh, choices, control, input.mesh)
-                                   : parameterize(data, choices, control, input.mesh);
-    if (input.mesh && !input.mesh->left_aside.empty())
-      input.summary.reading.notes.push_back(
-          "the mesh's parameters (texture coordinates) are left aside and the mesh is mapped, since " +
-          input.mesh->left_aside);
-    if (std::get_if<Raster>(&data.content) == nullptr) note_strays(input);
-    // Equal parameters make a maximum hopeless, not an RMS or a percentile: 0 lets any difference be.
-    double tolerance = 0;
-    if (choices.tolerance && choices.measure.value_or(MeasureValue{}).measure == ErrorMeasure::max) {
-      tolerance = choices.tolerance->value;
-      if (choices.tolerance->relative) tolerance *= bounding_diagonal(input.points) / 100;
-    }
-    const DuplicateRule rule = choices.duplicates.value_or(DuplicateRule::fail);
-    ParameterizedPoints before;
-    if (rule != DuplicateRule::fail) before = input.points;
-    input.summary.duplicates = settle_duplicates(input.points, rule, tolerance);
-    if (input.summary.duplicates > 0) input.all_points = std::move(before);
+    return fit_input_of(std::move(data), welded, choices, control);
   } catch (const InvalidInput& e) {
     throw InvalidInput(input_name(path) + ": " + e.what());
   }
-  input.summary.points = input.points.size();
-  if (Raster* raster = std::get_if<Raster>(&data.content)) input.raster = std::move(*raster);
-  return input;
 }
 
 }  // namespace knotfit::tool

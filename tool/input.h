@@ -46,6 +46,13 @@ SourceData read_source(const std::string& path, const ReadOptions& options);
 /// \throws FileError, InvalidInput  the message begins with the path
 FitInput read_fit_input(const std::string& path, const FitChoices& choices, const Control& control = {});
 
+/// From what was read, or was in memory: what read_fit_input() does with it.
+/// \param data    its vertices welded \param welded  how many went into others
+/// \throws InvalidInput  without the input's name
+FitInput fit_input_of(SourceData data, Index welded, const FitChoices& choices, const Control& control);
+/// Points that have their parameters. \param points  valid (validate()) \param name  of the input, in a report
+FitInput fit_input_of(ParameterizedPoints points, const std::string& name, const FitChoices& choices);
+
 /// Cells or points of `data` that are holes.
 Index count_holes(const SourceData& data);
 

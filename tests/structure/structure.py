@@ -33,7 +33,8 @@ ORDER = [
     ["search"],
     ["pipeline"],
     ["report"],
-    ["tool", "python"],
+    ["tool"],
+    ["python"],
 ]
 RANK = {folder: rank for rank, group in enumerate(ORDER) for folder in group}
 
