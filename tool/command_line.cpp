@@ -119,6 +119,9 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     throw UsageError(usage_message(app, argc, argv, e.what()));
   }
   const CLI::App& chosen = *app.get_subcommands().front();
+  const bool of_one = arguments.command == Command::fit_curve || arguments.command == Command::distance;
+  if (of_one && !arguments.tolerances.empty())
+    throw UsageError("--tol: " + chosen.get_name() + " takes one tolerance");
   settle_standard_input(arguments);
   settle_standard_output(arguments, chosen.get_name());
   arguments.choices.input.given = options_given(chosen);

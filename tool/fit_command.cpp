@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "applicable_options.h"
 #include "cad_output.h"
@@ -71,37 +72,54 @@ void complain(const std::string& message) {
   std::fprintf(stderr, "knotfit: %s\n", message.c_str());
 }
 
-}  // namespace
-
-int run_fit(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
+// One fit of a call: there are as many as tolerances.
+struct Planned {
+  FitChoices choices;
   bool default_tolerance = false;
-  const FitChoices choices = complete(arguments, default_tolerance);
-  const std::vector<OutputFile> files = plan_outputs(arguments.output, arguments.input);
-  refuse_idle_output_options(options_of_outputs(arguments, files), files);
-  StopOnSignal stop;
-  set_thread_count(arguments.threads);
-  TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
+  std::vector<OutputFile> files;
+};
 
-  terminal.report({.stage = "read"});
-  Control control = terminal.control(stop.token());
-  control.time_limit = choices.time_limit.value_or(0);
-  FitInput input = read_fit_input(arguments.input, choices, control);
-  for (const OutputFile& file : files) {
-    if (file.kind == OutputKind::mesh)
-      check_surface_mesh(file, input.points.dimension, input.points.height_field);
-    if (file.kind == OutputKind::cad)
-      check_cad_output(file, input.points.dimension, input.points.height_field);
-  }
-  const Raster grid = asks_for(files, OutputKind::raster) ? output_grid(input, choices) : Raster{};
-  if (stop.requested()) {
-    terminal.clear();
-    complain("stopped before there was a surface");
-    return kStopped;
-  }
+// "face.json" as "face-2.json".
+std::string numbered(const std::string& path, std::size_t number) {
+  if (is_dash(path))
+    throw InvalidInput("-o -: standard output takes one surface, and there are several tolerances");
+  const std::filesystem::path p(path);
+  return (p.parent_path() / fmt::format("{}-{}{}", p.stem().string(), number, p.extension().string()))
+      .string();
+}
 
-  // A map of a mesh took its share of the time.
-  if (input.mesh) control = time_left(control, start);
+std::vector<Planned> plan(const Arguments& arguments) {
+  std::vector<Planned> runs;
+  const std::size_t count = std::max<std::size_t>(1, arguments.tolerances.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    Arguments one = arguments;
+    one.tolerances.clear();
+    if (count > 1) {
+      one.choices.tolerance = arguments.tolerances[k];
+      for (std::string& path : one.output.paths) path = numbered(path, k + 1);
+    }
+    Planned run;
+    run.choices = complete(one, run.default_tolerance);
+    run.files = plan_outputs(one.output, one.input);
+    refuse_idle_output_options(options_of_outputs(one, run.files), run.files);
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+// Points with equal parameters are judged by the least.
+const FitChoices& strictest(const std::vector<Planned>& runs) {
+  const auto& least = *std::min_element(runs.begin(), runs.end(), [](const Planned& a, const Planned& b) {
+    return a.choices.tolerance && b.choices.tolerance &&
+           a.choices.tolerance->value < b.choices.tolerance->value;
+  });
+  return least.choices;
+}
+
+// Fits, writes, reports. \return the exit status
+int run_one(const Planned& planned, FitInput input, const Raster& grid, const Arguments& arguments,
+            const Control& control, TerminalProgress& terminal, std::chrono::steady_clock::time_point start) {
+  const FitChoices& choices = planned.choices;
   correction_rounds(choices, input);  // what it refuses is no fault of the input
   FitRun run;
   try {
@@ -123,7 +141,7 @@ int run_fit(const Arguments& arguments) {
                    .input = input,
                    .choices = choices,
                    .corrected = run.correction(),
-                   .default_tolerance = default_tolerance,
+                   .default_tolerance = planned.default_tolerance,
                    .outputs = {}};
   int status = exit_status(result);
   if (result.surface.empty() || result.status == Status::failed) {
@@ -132,7 +150,7 @@ int run_fit(const Arguments& arguments) {
   } else {
     const FitWriter writer(report, grid, support, arguments.output.force, arguments.reflections);
     const int written = write_each(
-        files, [&](const OutputFile& file) { writer.write(file); }, report.outputs);
+        planned.files, [&](const OutputFile& file) { writer.write(file); }, report.outputs);
     if (written != kReached) status = written;
     terminal.clear();
   }
@@ -141,7 +159,47 @@ int run_fit(const Arguments& arguments) {
   if (arguments.json)
     print(report_to_json(report) + "\n");
   else if (!arguments.quiet)
-    print_summary(report_to_text(report), files);
+    print_summary(report_to_text(report), planned.files);
+  return status;
+}
+
+}  // namespace
+
+int run_fit(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Planned> runs = plan(arguments);
+  const FitChoices& choices = strictest(runs);
+  StopOnSignal stop;
+  set_thread_count(arguments.threads);
+  TerminalProgress terminal(!arguments.quiet, choices.time_limit.value_or(0));
+
+  terminal.report({.stage = "read"});
+  Control control = terminal.control(stop.token());
+  control.time_limit = choices.time_limit.value_or(0);
+  FitInput input = read_fit_input(arguments.input, choices, control);
+  const std::vector<OutputFile>& files = runs.front().files;
+  for (const OutputFile& file : files) {
+    if (file.kind == OutputKind::mesh)
+      check_surface_mesh(file, input.points.dimension, input.points.height_field);
+    if (file.kind == OutputKind::cad)
+      check_cad_output(file, input.points.dimension, input.points.height_field);
+  }
+  const Raster grid = asks_for(files, OutputKind::raster) ? output_grid(input, choices) : Raster{};
+  int status = kReached;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (stop.requested()) {
+      terminal.clear();
+      complain(k == 0 ? "stopped before there was a surface"
+                      : fmt::format("stopped: {} of {} tolerances are left", runs.size() - k, runs.size()));
+      return kStopped;
+    }
+    const auto begun = k == 0 ? start : std::chrono::steady_clock::now();
+    // A map of a mesh, and the fits before, took their share of the time.
+    const Control left = input.mesh || k > 0 ? time_left(control, start) : control;
+    const int one = run_one(runs[k], k + 1 < runs.size() ? FitInput(input) : std::move(input), grid,
+                            arguments, left, terminal, begun);
+    if (one != kReached && (status == kReached || one != kNotReached)) status = one;
+  }
   return status;
 }
 

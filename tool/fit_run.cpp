@@ -110,6 +110,8 @@ int correction_rounds(const FitChoices& choices, const FitInput& input) {
 }
 
 bool complete_choices(Arguments& arguments) {
+  if (!arguments.tolerances.empty())
+    throw InvalidInput("several tolerances, where one fit is asked for: give one");
   FitChoices& c = arguments.choices;
   if (c.control_points && c.control_points->first == 0) c.control_points.reset();
   add_usual_options(arguments);

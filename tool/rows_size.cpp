@@ -48,6 +48,23 @@ std::optional<std::string> print_knots(const FitChoices& c) {
   return list(c.knots->given->u) + ";" + list(c.knots->given->v);
 }
 
+// One, or several of a fit, all in % or none.
+Holder tolerances() {
+  const Holder one =
+      kept(&FitChoices::tolerance, parse_tolerance, [](const ToleranceValue& t) { return to_text(t); });
+  const auto take = [one](Arguments& a, const std::string& t) {
+    a.tolerances.clear();
+    if (t.find(',') == std::string::npos) return one.take(a, t);
+    for (const std::string_view text : split(t, ',')) {
+      a.tolerances.push_back(parse_tolerance(text));
+      if (a.tolerances.back().relative != a.tolerances.front().relative)
+        refuse(t, "several tolerances: all of them in %, or none");
+    }
+    a.choices.tolerance = a.tolerances.front();
+  };
+  return {take, one.print};
+}
+
 void add_tolerance_rows(std::vector<OptionRow>& rows) {
   const std::string usual = to_text(kDefaultTolerance);
   rows.push_back({.names = "--sizes",
@@ -80,7 +97,8 @@ void add_tolerance_rows(std::vector<OptionRow>& rows) {
                   .value = "X|X%",
                   .uses = {{kFit, kSize,
                             "Largest error allowed: absolute, in the data's unit, or in % of the diagonal of "
-                            "the data's bounding box (height fields: of the range of heights). Default, "
+                            "the data's bounding box (height fields: of the range of heights); several, as "
+                            "1%,0.5%,0.1%, read the data once and number their outputs. Default, "
                             "where neither a size nor "
                             "knots are given: " +
                                 usual},
@@ -93,8 +111,7 @@ void add_tolerance_rows(std::vector<OptionRow>& rows) {
                             "What the points may be away from the surface: absolute, or in % of the diagonal "
                             "of their bounding "
                             "box. Says which share of them is, and exits with 3 where not all are"}},
-                  .holds = kept(&FitChoices::tolerance, parse_tolerance,
-                                [](const ToleranceValue& t) { return to_text(t); }),
+                  .holds = tolerances(),
                   .first = kFit | kCurve,
                   .stored = {.form = Form::text, .key = "tolerance"}});
   rows.push_back(

@@ -511,5 +511,43 @@ class Samples(ToolTest):
         self.assertTrue(report["reached"], report["message"])
 
 
+
+class SeveralTolerances(ToolTest):
+    def test_each_is_fitted_as_if_alone(self):
+        self.write_points()
+        done = self.run_tool("fit", "points.csv", "--tol", "5%,1%,2%", "-o", "s.json", "-o", "e.csv", "--json")
+        reports = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([r["tolerance"]["asked"] for r in reports], ["5%", "1%", "2%"])
+        self.assertEqual(self.files(), sorted(["points.csv"] + [f"{n}-{k}.{e}" for k in (1, 2, 3) for n, e in (("s", "json"), ("e", "csv"))]))
+        for k, tolerance in enumerate(("5%", "1%", "2%"), 1):
+            self.run_tool("fit", "points.csv", "--tol", tolerance, "-o", "alone.json", "-o", "alone.csv", "--force")
+            for one, alone in ((f"s-{k}.json", "alone.json"), (f"e-{k}.csv", "alone.csv")):
+                self.assertEqual((self.folder / one).read_bytes(), (self.folder / alone).read_bytes(), one)
+        self.assertEqual(self.run_tool("fit", "points.csv", "--tol", "5%,1%").stdout.count("status: reached"), 2)
+
+    def test_of_a_mesh_too(self):
+        n = 12
+        lines = [f"v {i / n} {j / n} {0.3 * wave(i / n, j / n)}" for j in range(n + 1) for i in range(n + 1)]
+        lines += [f"f {a} {a + 1} {a + n + 2} {a + n + 1}" for j in range(n) for i in range(n) for a in [j * (n + 1) + i + 1]]
+        self.write("sheet.obj", "\n".join(lines) + "\n")
+        self.run_tool("fit", "sheet.obj", "--tol", "3%,1%", "-o", "s.json")
+        self.run_tool("fit", "sheet.obj", "--tol", "1%", "-o", "alone.json")
+        self.assertEqual((self.folder / "s-2.json").read_bytes(), (self.folder / "alone.json").read_bytes())
+
+    def test_one_that_is_missed_is_the_exit_status(self):
+        self.write_points()
+        self.run_tool("fit", "points.csv", "--tol", "5%,1e-9%,2%", "--max-control-points", "40", status=3)
+
+    def test_what_is_refused(self):
+        self.write_points()
+        self.refused("fit", "points.csv", "--tol", "1%,0.1", words=["--tol", "all of them in %"])
+        self.refused("fit", "points.csv", "--tol", "1%,", words=["--tol"])
+        self.refused("fit", "points.csv", "--tol", "1%,2%", "-o", "-", words=["-o -", "several tolerances"])
+        self.write("s-2.json", "mine")
+        self.refused("fit", "points.csv", "--tol", "1%,2%", "-o", "s.json", words=["s-2.json"])
+        self.assertEqual(self.files(), ["points.csv", "s-2.json"])
+        self.refused("fit-curve", "points.csv", "--tol", "1%,2%", words=["--tol", "one tolerance"])
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)
