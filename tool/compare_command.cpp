@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <optional>
 
@@ -24,7 +26,12 @@ int run_compare(const Arguments& arguments) {
   TerminalProgress terminal(!arguments.quiet);
   terminal.report({.stage = "read"});
   const Control control = terminal.control(stop.token());
-  const FitInput input = read_fit_input(arguments.input, arguments.choices, control);
+  FitInput input = read_fit_input(arguments.input, arguments.choices, control);
+  if (input.mesh && input.mesh->sampled) {
+    const CloudMap& map = input.mesh->sampled->map;
+    input.summary.reading.notes.push_back(
+        fmt::format("a sample of {} of {} points is mapped and compared", map.sample, map.points));
+  }
   if (arguments.choices.feature_file)
     options.fit.user_features = read_feature_file(*arguments.choices.feature_file, input.points.map);
   std::optional<CompareFolder> folder;

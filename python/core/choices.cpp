@@ -59,6 +59,8 @@ tool::Arguments take_texts(tool::Command command, const Texts& texts, tool::Argu
     if (row == rows.end()) throw InvalidInput(keyword + ": there is no such option");
     try {
       (*row)->holds.take(arguments, text);
+      if (command != tool::Command::compare && !arguments.tolerances.empty())
+        throw InvalidInput("'" + text + "' is several tolerances; a fit holds one");
     } catch (const InvalidInput& e) {
       throw InvalidInput(keyword + ": " + e.what());
     }

@@ -405,3 +405,8 @@ def test_rasters_in_every_orientation(samples):
     with pytest.raises(ValueError, match="raster: the fit was not to a raster"):
         knotfit.fit(np.random.default_rng(0).random((99, 3)), height_field=True, control_points=5,
                     knots="uniform").raster()
+
+
+def test_one_fit_holds_one_tolerance():
+    with pytest.raises(ValueError, match="tol: '5%,1%' is several tolerances"):
+        knotfit.fit(np.zeros((20, 3)), height_field=True, tol="5%,1%")

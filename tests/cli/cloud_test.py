@@ -64,7 +64,12 @@ class ManyPoints(CloudTest):
         far = self.run_json("distance", "s.json", "many.csv")
         self.assertAlmostEqual(far["points_to_surface"]["max"], report["error"]["max"], delta=1e-9)
 
-    def test_up_to_a_hundred_thousand_all_are_mapped_unless_asked(self):
+    def test_methods_are_compared_on_a_sample(self):
+        self.write_many(62000)
+        report = self.run_json("compare", "many.csv", "--sizes", "6x6", "--methods", "uniform")
+        self.assertRegex(report["notes"][0], r"a sample of \d+ of 62000 points is mapped")
+
+    def test_up_to_sixty_thousand_all_are_mapped_unless_asked(self):
         self.write_many(3000)
         for options in ((), ("--engine", "points"), ("--engine", "sample")):
             report = self.run_json("fit", "many.csv", "--control-points", "6", *options)
