@@ -53,7 +53,7 @@ Surface base_surface(const BaseChoice& base) {
 }
 
 /// Lays points over the base that was asked for.
-CloudMap lay(std::span<const double> points, std::span<const Index> index, const PointTable& table,
+CloudMap lay(std::span<const double> points, std::span<const Index> index, const std::vector<double>& normals,
              const FitChoices& choices, const Control& control) {
   const BaseChoice base = parse_base(choices.base.value_or("auto"));
   const bool fill_holes = choices.fill_holes.value_or(false);
@@ -66,9 +66,9 @@ CloudMap lay(std::span<const double> points, std::span<const Index> index, const
   options.base = base.kind;
   options.map = map_options(choices);
   options.fill_holes = fill_holes;
-  if (!table.nx.empty())
+  if (!normals.empty())
     for (const Index k : index)
-      options.normals.insert(options.normals.end(), {table.nx[k], table.ny[k], table.nz[k]});
+      options.normals.insert(options.normals.end(), &normals[3 * k], &normals[3 * k] + 3);
   return parameterize_cloud(points, options, control);
 }
 
@@ -80,18 +80,22 @@ MappedMesh map_cloud(const PointTable& table, const FitChoices& choices, const C
   xyz.reserve(static_cast<std::size_t>(3 * table.size()));
   for (Index k = 0; k < table.size(); ++k) xyz.insert(xyz.end(), {table.x[k], table.y[k], table.z[k]});
   parameterize::check_strays(xyz, 3, table.line);
+  std::vector<double> normals;
+  for (std::size_t k = 0; k < table.nx.size(); ++k)
+    normals.insert(normals.end(), {table.nx[k], table.ny[k], table.nz[k]});
   std::vector<Index> all(static_cast<std::size_t>(table.size()));
   std::iota(all.begin(), all.end(), Index{0});
   const Index most =
       table.weight.empty() ? sample_of(table.size(), choices) : 0;  // weights count at every point
-  if (most == 0) return mapped(lay(xyz, all, table, choices, control), table.line);
+  if (most == 0) return mapped(lay(xyz, all, normals, choices, control), table.line);
   auto sampled = std::make_shared<Sampled>();
   sampled->most = most;
   sampled->line = table.line;
-  sampled->source = cloud_source(std::move(xyz), [table, choices, control](std::span<const double> points,
-                                                                           std::span<const Index> index) {
-    return lay(points, index, table, choices, control);
-  });
+  sampled->source =
+      cloud_source(std::move(xyz), [normals = std::move(normals), choices, control](
+                                       std::span<const double> points, std::span<const Index> index) {
+        return lay(points, index, normals, choices, control);
+      });
   sampled->map = map_sample(sampled->source, most);
   MappedMesh result = mapped(sampled->map, table.line);
   result.sampled = std::move(sampled);

@@ -14,8 +14,8 @@ struct SampleSource {
   std::vector<double> points;  ///< n x 3, row-major: all of them are judged
   /// The map of some of the points (of others besides, where a mesh cannot do without). Its mesh's vertex_line are numbers in
   /// `points`, from 1; 0: no point.
-  /// \param index  of points, from 0, rising
-  std::function<CloudMap(std::span<const Index> index)> map = {};
+  /// \param points  these points  \param index  of some, from 0, rising
+  std::function<CloudMap(std::span<const double> points, std::span<const Index> index)> map = {};
   std::shared_ptr<const Mesh> mesh =
       {};  ///< whose vertices they are, with vertex_line as above; none: a cloud
 };

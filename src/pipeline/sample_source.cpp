@@ -15,7 +15,7 @@ SampleSource cloud_source(
     std::vector<double> points,
     std::function<CloudMap(std::span<const double> points, std::span<const Index> index)> lay) {
   SampleSource source{.points = std::move(points)};
-  source.map = [all = source.points, lay = std::move(lay)](std::span<const Index> index) {
+  source.map = [lay = std::move(lay)](std::span<const double> all, std::span<const Index> index) {
     std::vector<double> some;
     some.reserve(3 * index.size());
     for (const Index k : index) some.insert(some.end(), &all[3 * k], &all[3 * k] + 3);
@@ -41,7 +41,8 @@ SampleSource mesh_source(const Mesh& mesh, std::function<MeshMap(const Mesh&)> m
     source.points.insert(source.points.end(), mesh.vertex(v), mesh.vertex(v) + 3);
   }
   source.mesh = whole;
-  source.map = [whole, vertex = std::move(vertex), map = std::move(map)](std::span<const Index> index) {
+  source.map = [whole, vertex = std::move(vertex), map = std::move(map)](std::span<const double>,
+                                                                         std::span<const Index> index) {
     std::vector<char> keep(static_cast<std::size_t>(whole->vertex_count()), 0);
     for (const Index k : index) keep[vertex[k]] = 1;
     CloudMap made;
@@ -69,7 +70,7 @@ CloudMap map_sample(const SampleSource& source, Index most, std::span<const Inde
   index.insert(index.end(), also.begin(), also.end());
   std::sort(index.begin(), index.end());
   index.erase(std::unique(index.begin(), index.end()), index.end());
-  CloudMap map = source.map(index);
+  CloudMap map = source.map(points, index);
   map.points = n;
   const std::vector<Index>& line = map.mesh.vertex_line;
   const Index mapped = std::count_if(line.begin(), line.end(), [](Index number) { return number > 0; });
