@@ -17,7 +17,7 @@ namespace {
 constexpr int kMostExchanges = 4;
 constexpr Index kCells = 32;        // a direction of the square: the worst point of each joins
 constexpr double kJoinAbove = 0.9;  // of the tolerance
-constexpr double kTighter = 0.98;   // of what is missing
+constexpr double kTighter = 0.99;   // of what is missing
 constexpr double kTightest = 0.97;  // a round, where points join
 
 /// Numbers, from 0, of the points that are no vertices of real triangles.
@@ -135,7 +135,7 @@ class Rounds {
     const bool every_point = row_of(asked_.measure).every_point;
     // What is missing: of a maximum a little, since what joins brings the rest.
     const double missing = asked_.value / r.measured;
-    options_.tolerance->value *= every_point ? std::max(missing, kTightest) : kTighter * missing;
+    options_.tolerance->value *= std::max(kTighter * missing, every_point ? kTightest : 0);
     if (!every_point) return true;
     const std::vector<Index> joining = worst_of_cells(last.fit, mapped_, kJoinAbove * asked_.value);
     also_.insert(also_.end(), joining.begin(), joining.end());
