@@ -11,6 +11,7 @@ OTHERS = {
     "--preset", "--build", "--install", "--component", "--prefix", "--target", "--test-dir",  # cmake, ctest
     "--headless", "--convert-to",  # libreoffice, in messages about spreadsheets
     "--cflags", "--libs", "--static",  # pkg-config
+    "--no-build-isolation", "--no-deps",  # of pip
     "--span-ratio", "--span-ration",  # the exercise of docs/how-to-add-an-option.md
 }
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z](?![\w-])")
