@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
 #include "applicable_options.h"
 #include "cad_output.h"
@@ -185,6 +186,7 @@ int run_fit(const Arguments& arguments) {
       check_cad_output(file, input.points.dimension, input.points.height_field);
   }
   const Raster grid = asks_for(files, OutputKind::raster) ? output_grid(input, choices) : Raster{};
+  const bool mapped = input.mesh.has_value();
   int status = kReached;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (stop.requested()) {
@@ -195,9 +197,9 @@ int run_fit(const Arguments& arguments) {
     }
     const auto begun = k == 0 ? start : std::chrono::steady_clock::now();
     // A map of a mesh, and the fits before, took their share of the time.
-    const Control left = input.mesh || k > 0 ? time_left(control, start) : control;
-    const int one = run_one(runs[k], k + 1 < runs.size() ? FitInput(input) : std::move(input), grid,
-                            arguments, left, terminal, begun);
+    const Control left = mapped || k > 0 ? time_left(control, start) : control;
+    const int one = run_one(runs[k], k + 1 < runs.size() ? input : std::exchange(input, {}), grid, arguments,
+                            left, terminal, begun);
     if (one != kReached && (status == kReached || one != kNotReached)) status = one;
   }
   return status;

@@ -243,6 +243,7 @@ std::string wrote(const std::vector<std::string>& paths) {
 
 std::string wrote(const std::vector<OutputFile>& files) {
   std::vector<std::string> paths;
+  paths.reserve(files.size());
   for (const OutputFile& file : files) paths.push_back(file.path);
   return wrote(paths);
 }
