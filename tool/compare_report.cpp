@@ -174,24 +174,28 @@ void CompareFolder::add(const CompareRow& row, const FitInput& input, const std:
   write("table.json", compare_json(rows_, input, false) + "\n");
 }
 
-void CompareFolder::draw(const FitInput& input) const {
-  const std::string name = fs::path(input.summary.path).filename().string();
-  std::map<std::string, ErrorSeries> by_method;
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<const CompareRow*>> by_size;
-  for (const CompareRow& row : rows_) {
-    if (!row.fitted) continue;
-    by_size[asked_text(row)].push_back(&row);
-    if (!(row.result.error.rms > 0)) continue;
-    if (!by_method.contains(row.method)) order.push_back(row.method);
-    ErrorSeries& series = by_method[row.method];
-    series.name = row.method;
-    series.points.push_back(
+std::vector<ErrorSeries> error_series(const std::vector<CompareRow>& rows) {
+  std::vector<ErrorSeries> series;
+  for (const CompareRow& row : rows) {
+    if (!row.fitted || !(row.result.error.rms > 0)) continue;
+    auto of_method = std::find_if(series.begin(), series.end(),
+                                  [&](const ErrorSeries& s) { return s.name == row.method; });
+    if (of_method == series.end()) {
+      series.emplace_back().name = row.method;
+      of_method = series.end() - 1;
+    }
+    of_method->points.push_back(
         {static_cast<double>(row.result.surface.control_point_count()), row.result.error.rms});
   }
-  std::vector<ErrorSeries> series;
-  series.reserve(order.size());
-  for (const std::string& method : order) series.push_back(by_method[method]);
+  return series;
+}
+
+void CompareFolder::draw(const FitInput& input) const {
+  const std::string name = fs::path(input.summary.path).filename().string();
+  std::map<std::string, std::vector<const CompareRow*>> by_size;
+  for (const CompareRow& row : rows_)
+    if (row.fitted) by_size[asked_text(row)].push_back(&row);
+  const std::vector<ErrorSeries> series = error_series(rows_);
   for (const char* extension : {".svg", ".png"}) {
     if (!series.empty())
       write(std::string("errors") + extension,

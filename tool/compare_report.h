@@ -5,6 +5,7 @@
 
 #include "input.h"
 #include "knotfit/compare.h"
+#include "knotfit/comparison_picture.h"
 namespace knotfit::tool {
 
 /// Rows, surfaces and pictures as files of one folder, each written whole:
@@ -33,6 +34,8 @@ class CompareFolder {
 
 /// "12x12" or "0.1%", for names of files and rows.
 std::string asked_text(const CompareRow& row);
+/// RMS error against control points, a series a method in the order of the rows; rows without an error are left out.
+std::vector<ErrorSeries> error_series(const std::vector<CompareRow>& rows);
 /// The table as it is printed: a row a line, columns aligned.
 std::string compare_table(const std::vector<CompareRow>& rows);
 std::string compare_csv(const std::vector<CompareRow>& rows);

@@ -89,16 +89,6 @@ std::string verdict(const CurveFitResult& f) {
                      f.error.max);
 }
 
-CurveDocument document_of(const CurveReport& r) {
-  CurveDocument document;
-  document.curve = r.result.curve;
-  document.closed = r.result.closed;
-  document.function = r.points.function;
-  document.x0 = r.points.x0;
-  document.x1 = r.points.x1;
-  return document;
-}
-
 void write_points(std::ostream& out, const CurveReport& r) {
   const int d = r.points.dimension;
   out << (r.points.function ? "t,x,y" : d == 2 ? "t,x,y" : "t,x,y,z") << ",error\n";
@@ -126,6 +116,16 @@ CurvePictureInput picture_of(const CurveReport& r) {
 }
 
 }  // namespace
+
+CurveDocument document_of(const CurveFitResult& result, const CurvePoints& points) {
+  CurveDocument document;
+  document.curve = result.curve;
+  document.closed = result.closed;
+  document.function = points.function;
+  document.x0 = points.x0;
+  document.x1 = points.x1;
+  return document;
+}
 
 std::string curve_to_json(const CurveReport& r) {
   Json j = outcome(r);
@@ -186,7 +186,7 @@ void write_curve_output(const OutputFile& file, const CurveReport& r) {
   const bool force = r.arguments.output.force;
   switch (file.kind) {
     case OutputKind::surface: {
-      CurveDocument document = document_of(r);
+      CurveDocument document = document_of(r.result, r.points);
       document.result = outcome(r).dump();
       return write_text_file(file.path, force, to_json(document));
     }
@@ -203,7 +203,7 @@ void write_curve_output(const OutputFile& file, const CurveReport& r) {
       options.unit = cad.unit.value_or(CadUnit::millimetre);
       options.name = cad.name.value_or(std::filesystem::path(file.path).stem().string());
       try {
-        return write_cad_curve(file.path, curve_in_space(document_of(r)), options, force);
+        return write_cad_curve(file.path, curve_in_space(document_of(r.result, r.points)), options, force);
       } catch (const InvalidInput& e) {
         throw InvalidInput(file.path + ": " + e.what());
       }

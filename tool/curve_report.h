@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "knotfit/curve_io.h"
 #include "knotfit/curve_points.h"
 #include "knotfit/fit_curve.h"
 #include "options.h"
@@ -18,6 +19,9 @@ struct CurveReport {
   double seconds = 0;
   std::vector<std::string> outputs{};  ///< files written
 };
+
+/// The curve, and how it is meant.
+CurveDocument document_of(const CurveFitResult& result, const CurvePoints& points);
 
 /// The object of --json, as text.
 std::string curve_to_json(const CurveReport& report);

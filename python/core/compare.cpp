@@ -5,7 +5,6 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
-#include <map>
 
 #include "arrays.h"
 #include "bind.h"
@@ -62,21 +61,8 @@ void save(const Rows& r, const std::string& folder, bool force) {
 }
 
 py::bytes draw_errors(const Rows& r, const std::string& extension, int width, int height) {
-  std::vector<std::string> order;
-  std::map<std::string, ErrorSeries> by_method;
-  for (const CompareRow& row : r.rows) {
-    if (!row.fitted || !(row.result.error.rms > 0)) continue;
-    if (!by_method.contains(row.method)) order.push_back(row.method);
-    ErrorSeries& series = by_method[row.method];
-    series.name = row.method;
-    series.points.push_back(
-        {static_cast<double>(row.result.surface.control_point_count()), row.result.error.rms});
-  }
-  std::vector<ErrorSeries> series;
-  series.reserve(order.size());
-  for (const std::string& method : order) series.push_back(by_method[method]);
-  return py::bytes(draw_error_plot(series, "RMS error against control points", "RMS error", extension,
-                                   {.width = width, .height = height}));
+  return py::bytes(draw_error_plot(tool::error_series(r.rows), "RMS error against control points",
+                                   "RMS error", extension, {.width = width, .height = height}));
 }
 
 py::bytes draw_maps(const Rows& r, const std::string& asked, const std::string& extension, int width,

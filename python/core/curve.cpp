@@ -98,16 +98,6 @@ py::tuple fit(const Array& values, const std::optional<Array>& t, const std::opt
   return py::make_tuple(py::cast(std::move(o)), raised);
 }
 
-CurveDocument document(const CurveOutcome& o) {
-  CurveDocument d;
-  d.curve = o.result.curve;
-  d.closed = o.result.closed;
-  d.function = o.points.function;
-  d.x0 = o.points.x0;
-  d.x1 = o.points.x1;
-  return d;
-}
-
 CurveDocument make(int degree, const Array& knots, const Array& control_points, bool closed, bool function,
                    double x0, double x1) {
   CurveDocument d;
@@ -214,7 +204,8 @@ void bind_curve(py::module_& m) {
           py::arg("knots"))
       .def("save", &save_document, py::arg("path"), py::arg("force"), py::arg("texts"));
   py::class_<CurveOutcome>(m, "CurveOutcome", "What a curve's fit left.")
-      .def_property_readonly("document", &document)
+      .def_property_readonly("document",
+                             [](const CurveOutcome& o) { return tool::document_of(o.result, o.points); })
       .def_property_readonly("status",
                              [](const CurveOutcome& o) { return std::string(to_string(o.result.status)); })
       .def_property_readonly(

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import json
 import re
 from collections.abc import Callable, Iterator
+from typing import Any
 
 from . import _core
 
@@ -102,6 +104,14 @@ def _keyword(match: re.Match[str]) -> str:
 def _row(match: re.Match[str]) -> str:
     numbers = re.sub(r"\d+", lambda m: str(int(m[0]) - 1), match[2])
     return ("rows " if match[1].endswith("s") else "row ") + numbers
+
+
+def read_report(text: str) -> dict[str, Any]:
+    """A report of the library, its message and notes in Python's terms."""
+    report: dict[str, Any] = json.loads(text)
+    report["message"] = in_python_words(report["message"])
+    report["notes"] = [in_python_words(note) for note in report["notes"]]
+    return report
 
 
 def in_python_words(text: str, rows: bool = True) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from typing import Any
 
@@ -10,7 +9,7 @@ import numpy as np
 
 from . import _arrays, _core, _options
 from ._arrays import Floats
-from ._errors import in_python_words, translated, with_best
+from ._errors import in_python_words, read_report, translated, with_best
 from ._run import ProgressLike, thread_count, watched
 from .fit import ErrorSummary, NanPolicy, OnMiss, Tolerance, check_on_miss, settle
 from .surface import draw_size, show_picture
@@ -166,10 +165,8 @@ class CurveFit:
 
     def __init__(self, outcome: _core.CurveOutcome) -> None:
         self._outcome: _core.CurveOutcome | None = outcome
-        self.report: dict[str, Any] = json.loads(outcome.report())
+        self.report: dict[str, Any] = read_report(outcome.report())
         report = self.report
-        report["message"] = in_python_words(report["message"])
-        report["notes"] = [in_python_words(note) for note in report["notes"]]
         self.curve: Curve = Curve._of(outcome.document)
         self.status: str = report["status"]
         self.message: str = report["message"]

@@ -15,7 +15,7 @@ import numpy as np
 
 from . import _arrays, _core, _options, _sources
 from ._arrays import Floats
-from ._errors import Interrupted, KnotfitWarning, ToleranceMissed, in_python_words, translated, with_best
+from ._errors import Interrupted, KnotfitWarning, ToleranceMissed, in_python_words, read_report, translated, with_best
 from ._run import ProgressLike, thread_count, watched
 from .surface import Surface, draw_size
 
@@ -71,10 +71,8 @@ class Fit:
         self._outcome: _core.Outcome | None = outcome
         self._shape = shape
         self._grid = grid
-        self.report: dict[str, Any] = json.loads(outcome.report())
+        self.report: dict[str, Any] = read_report(outcome.report())
         report = self.report
-        report["message"] = in_python_words(report["message"])
-        report["notes"] = [in_python_words(note) for note in report["notes"]]
         self.surface: Surface = Surface._of(outcome.document)
         self.status: str = report["status"]
         self.message: str = report["message"]

@@ -50,16 +50,7 @@ class Decimation {
     out.uv.clear();
     out.faces = std::move(faces_);
     keep_faces(out, alive_);
-    std::vector<char> used(static_cast<std::size_t>(out.vertex_count()), 0);
-    for (const auto& f : out.faces)
-      for (const std::int32_t v : f) used[v] = 1;
-    std::vector<std::int32_t> number(used.size(), -1);
-    std::int32_t count = 0;
-    for (std::size_t v = 0; v < used.size(); ++v)
-      if (used[v] != 0) number[v] = count++;
-    for (auto& f : out.faces)
-      for (std::int32_t& v : f) v = number[v];
-    keep_vertices(out, used);
+    keep_vertices(out, used_vertices(out));
     return out;
   }
 

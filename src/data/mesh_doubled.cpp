@@ -66,17 +66,9 @@ bool repeats_a_corner(Ring ring) {
 }
 
 void drop_vertices_of(Mesh& mesh, const std::vector<char>& had_face) {
-  std::vector<char> keep(had_face.size(), 0);
-  for (const Corners& c : mesh.faces)
-    for (const std::int32_t v : c) keep[v] = 1;
+  std::vector<char> keep = used_vertices(mesh);
   for (std::size_t v = 0; v < keep.size(); ++v)
     if (had_face[v] == 0) keep[v] = 1;  // no face ever used it: not lost here
-  std::vector<std::int32_t> number(keep.size(), -1);
-  std::int32_t next = 0;
-  for (std::size_t v = 0; v < keep.size(); ++v)
-    if (keep[v] != 0) number[v] = next++;
-  for (Corners& c : mesh.faces)
-    for (std::int32_t& v : c) v = number[v];
   keep_vertices(mesh, keep);
 }
 

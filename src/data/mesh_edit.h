@@ -8,9 +8,11 @@ namespace knotfit {
 /// Keeps the faces whose entry is not 0, and notes which face of the file each came from.
 void keep_faces(Mesh& mesh, const std::vector<char>& keep);
 
-/// Keeps the vertices whose entry is not 0, and notes which vertex of the file each was. The faces name them already by
-/// their new numbers.
+/// Keeps the vertices whose entry is not 0, and notes which vertex of the file each was. No face has one of the others.
 void keep_vertices(Mesh& mesh, const std::vector<char>& keep);
+
+/// 1 for every vertex that a face has.
+std::vector<char> used_vertices(const Mesh& mesh);
 
 /// Fills face_source, vertex_source: what an empty one stands for.
 void name_sources(Mesh& mesh);

@@ -79,20 +79,11 @@ Index orient(Mesh& mesh) {
 
 /// \return kept[k]: the vertex that vertex k was
 std::vector<Index> drop_unused_vertices(Mesh& mesh) {
-  std::vector<char> used(static_cast<std::size_t>(mesh.vertex_count()), 0);
-  for (const auto& c : mesh.faces)
-    for (const std::int32_t v : c) used[v] = 1;
+  const std::vector<char> used = used_vertices(mesh);
   std::vector<Index> kept;
-  std::vector<std::int32_t> place(used.size(), -1);
   for (std::size_t v = 0; v < used.size(); ++v)
-    if (used[v]) {
-      place[v] = static_cast<std::int32_t>(kept.size());
-      kept.push_back(static_cast<Index>(v));
-    }
-  if (kept.size() == used.size()) return kept;
-  for (auto& c : mesh.faces)
-    for (std::int32_t& v : c) v = place[v];
-  keep_vertices(mesh, used);
+    if (used[v]) kept.push_back(static_cast<Index>(v));
+  if (kept.size() < used.size()) keep_vertices(mesh, used);
   return kept;
 }
 
@@ -116,8 +107,21 @@ void keep_faces(Mesh& mesh, const std::vector<char>& keep) {
   filter(mesh.virtual_face, keep);
 }
 
+std::vector<char> used_vertices(const Mesh& mesh) {
+  std::vector<char> used(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  for (const auto& c : mesh.faces)
+    for (const std::int32_t v : c) used[v] = 1;
+  return used;
+}
+
 void keep_vertices(Mesh& mesh, const std::vector<char>& keep) {
   name_sources(mesh);
+  std::vector<std::int32_t> number(keep.size(), -1);
+  std::int32_t next = 0;
+  for (std::size_t v = 0; v < keep.size(); ++v)
+    if (keep[v]) number[v] = next++;
+  for (auto& c : mesh.faces)
+    for (std::int32_t& v : c) v = number[v];
   filter(mesh.vertices, keep, 3);
   filter(mesh.uv, keep, 2);
   filter(mesh.vertex_line, keep);

@@ -165,15 +165,10 @@ class Welder {
 
   void merge(const DisjointSets& places) {
     std::vector<char> keep(static_cast<std::size_t>(mesh_.vertex_count()));
-    std::vector<std::int32_t> place(keep.size());
-    std::int32_t kept = 0;
-    for (std::size_t k = 0; k < keep.size(); ++k) {
+    for (std::size_t k = 0; k < keep.size(); ++k)
       keep[k] = places.root(static_cast<std::int32_t>(k)) == static_cast<std::int32_t>(k);
-      place[k] = kept;
-      kept += keep[k];
-    }
     for (auto& corners : mesh_.faces)
-      for (std::int32_t& v : corners) v = place[places.root(v)];
+      for (std::int32_t& v : corners) v = places.root(v);
     keep_vertices(mesh_, keep);
   }
 

@@ -59,11 +59,11 @@ std::vector<Index> worst_of_cells(const MeshFit& fit, Index first, double allowe
   return joining;
 }
 
-/// One fit of a sample, judged by all.
-class Rounds {
+/// Fits samples that grow, each judged by all.
+class SampleRun {
  public:
-  Rounds(const SampleSource& source, Index most, const FitOptions& options,
-         const CorrectionOptions& correction, const Control& control)
+  SampleRun(const SampleSource& source, Index most, const FitOptions& options,
+            const CorrectionOptions& correction, const Control& control)
       : source_(source), most_(most), options_(options), correction_(correction), deadline_(control) {
     ParameterizedPoints all;
     all.dimension = 3;
@@ -77,18 +77,20 @@ class Rounds {
   }
 
   SampleFit run(CloudMap map) {
-    SampleFit last = fit(std::move(map)), best = last;
+    SampleFit best = fit(std::move(map));
+    bool again = exchange(best);
     int rounds = 1;
-    while (rounds <= kMostExchanges && exchange(last)) {
+    while (again && rounds <= kMostExchanges) {
       try {
         map = map_sample(source_, most_, also_);
       } catch (const InvalidInput&) {
         break;  // the points that joined make no sheet
       }
-      last = fit(std::move(map));
+      SampleFit next = fit(std::move(map));
       ++rounds;
-      const FitResult &r = last.fit.result, &b = best.fit.result;
-      if (r.reached || (!b.reached && r.measured < b.measured)) best = last;
+      again = exchange(next);
+      const FitResult &r = next.fit.result, &b = best.fit.result;
+      if (r.reached || (!b.reached && r.measured < b.measured)) best = std::move(next);
     }
     best.rounds = rounds;
     return best;
@@ -159,7 +161,7 @@ class Rounds {
 
 SampleFit fit_sample(const SampleSource& source, Index most, CloudMap map, const FitOptions& options,
                      const CorrectionOptions& correction, const Control& control) {
-  return Rounds(source, most, options, correction, control).run(std::move(map));
+  return SampleRun(source, most, options, correction, control).run(std::move(map));
 }
 
 }  // namespace knotfit
